@@ -11,6 +11,7 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Poses;
+import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.narrowphase.pair.Reach;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Placement;
@@ -76,8 +77,11 @@ final class CentreGuard {
     /** By block of bodies: how many are fast; by block of rows: how many are looked at. */
     private int[] fastCount = {}, rowCount = {};
 
-    /** By body slot: it hangs on joints. */
-    private boolean[] tied = {};
+    /** By body slot: it hangs on joints; by root of what hangs together: on what does not move. */
+    private boolean[] tied = {}, held = {};
+
+    /** Who hangs together by joints. */
+    private final Islands ties = new Islands();
 
     CentreGuard(
             ColliderStore colliders,
@@ -144,6 +148,7 @@ final class CentreGuard {
         if (fast.length < colliders.slotCount) {
             fast = new boolean[colliders.poses.positionX.length];
             tied = new boolean[fast.length];
+            held = new boolean[fast.length];
         }
         if (fastCount.length < bodyBlocks) {
             fastCount = new int[Blocks.count(colliders.poses.positionX.length, BODIES_PER_BLOCK)];
@@ -153,19 +158,44 @@ final class CentreGuard {
         }
     }
 
-    /** Who hangs on joints goes where they pull it: to put it back would pull at them. */
+    /**
+     * Finds who hangs on joints. What floats is put back as a whole, so that no joint opens; who
+     * hangs on what does not move goes where joints pull it: to put it back would pull at them.
+     */
     private void tie() {
-        Arrays.fill(tied, 0, colliders.bodies.slotCount, false);
-        for (int k = 1; k < edges.length; k++) {
-            EdgeSource source = edges[k];
-            for (int i = 0; i < source.edges(); i++) {
-                int a = source.edgeA(i);
-                if (a >= 0) {
-                    tied[a] = true;
-                    tied[source.edgeB(i)] = true;
+        int slots = colliders.bodies.slotCount;
+        Arrays.fill(tied, 0, slots, false);
+        Arrays.fill(held, 0, slots, false);
+        ties.ensureSlots(slots);
+        ties.begin(dynamic, dynamicCount);
+        byte[] kind = colliders.bodies.kind;
+        for (int pass = 0; pass < 2; pass++) {
+            for (int k = 1; k < edges.length; k++) {
+                for (int i = 0; i < edges[k].edges(); i++) {
+                    tie(edges[k].edgeA(i), edges[k].edgeB(i), kind, pass == 0);
                 }
             }
         }
+    }
+
+    private void tie(int a, int b, byte[] kind, boolean isFirst) {
+        if (a < 0) {
+            return;
+        }
+        boolean movesA = kind[a] == BodyStore.DYNAMIC;
+        boolean movesB = kind[b] == BodyStore.DYNAMIC;
+        tied[a] = true;
+        tied[b] = true;
+        if (isFirst && movesA && movesB) {
+            ties.join(a, b);
+        } else if (!isFirst && movesA != movesB) {
+            held[ties.root(movesA ? a : b)] = true;
+        }
+    }
+
+    /** Whether a body may be put back: alone, or with those that hang on it. */
+    private boolean isLoose(int body) {
+        return !tied[body] || !held[ties.root(body)];
     }
 
     private void bodiesBlock(int block, int worker) {
@@ -264,7 +294,7 @@ final class CentreGuard {
             }
             boolean movesA = colliders.bodies.kind[c.bodyA[row]] == BodyStore.DYNAMIC;
             int body = movesA ? c.bodyA[row] : c.bodyB[row];
-            if (!tied[body] || state[i] != SweepStage.HARMLESS) {
+            if (isLoose(body) || state[i] != SweepStage.HARMLESS) {
                 int part = movesA ? c.colliderA[row] : c.colliderB[row];
                 keepOut(part, movesA ? c.colliderB[row] : c.colliderA[row]);
             }
@@ -276,7 +306,7 @@ final class CentreGuard {
         int end = Blocks.end(block, BODIES_PER_BLOCK, dynamicCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             int slot = dynamic[i];
-            int c = fast[slot] && !tied[slot] ? colliders.bodies.collider[slot] : NONE;
+            int c = fast[slot] && isLoose(slot) ? colliders.bodies.collider[slot] : NONE;
             for (; c != NONE; c = colliders.next[c]) {
                 if (isFast(c) && !isInBox(c, broadPhase.fatBoxes())) {
                     follow(c, broadPhase);
@@ -413,20 +443,35 @@ final class CentreGuard {
                         || s.angularVelocityZ[body] != 0);
     }
 
-    /** Takes back the rest of its way from a part's body, and what goes in of its velocity. */
+    /**
+     * Takes back the rest of its way from a part's body and who hangs on it, and what goes in of
+     * its velocity.
+     */
     private void stop(
             int part, double backX, double backY, double backZ, double nx, double ny, double nz) {
         BodyStore s = colliders.bodies;
         int body = colliders.body[part];
-        s.move(body, backX, backY, backZ);
-        if (part != body) {
-            colliders.compose(body, scratch[0]);
+        if (tied[body] && isLoose(body)) {
+            for (int i = 0; i < dynamicCount; i++) {
+                if (tied[dynamic[i]] && ties.root(dynamic[i]) == ties.root(body)) {
+                    move(dynamic[i], backX, backY, backZ);
+                }
+            }
+        } else {
+            move(body, backX, backY, backZ);
         }
         double in = nx * s.velocityX[body] + ny * s.velocityY[body] + nz * s.velocityZ[body];
         if (in > 0) {
             s.velocityX[body] -= in * nx;
             s.velocityY[body] -= in * ny;
             s.velocityZ[body] -= in * nz;
+        }
+    }
+
+    private void move(int body, double x, double y, double z) {
+        colliders.bodies.move(body, x, y, z);
+        if (!isSingle(body)) {
+            colliders.compose(body, scratch[0]);
         }
     }
 }

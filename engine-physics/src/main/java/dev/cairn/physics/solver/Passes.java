@@ -379,7 +379,7 @@ final class Passes {
             if (assemblies.at(a).isTaut()) {
                 bench.swing.cross(tick, sub, assemblies.store, assemblies.at(a));
             } else {
-                bench.joints.position(sub.seconds, false);
+                bench.joints.position(sub, rows);
             }
             show(assemblies.at(a));
         }
@@ -411,7 +411,7 @@ final class Passes {
             takeOver(assemblies.at(a));
             open(sub, a, bench);
             bench.joints.sweeps(true);
-            bench.joints.velocity(sub.seconds, !assemblies.at(a).isTaut());
+            bench.joints.velocity(sub, !assemblies.at(a).isTaut(), rows);
             bench.joints.settle();
             show(assemblies.at(a));
         }

@@ -43,6 +43,10 @@ public final class Laws {
     private double[] radius = {};
     private double[] mass = {};
     private double[] restsSince = {};
+
+    /** By body: it has been beyond the edge of the floor, or hangs on who has. */
+    private boolean[] gone = {};
+
     private double seconds;
 
     private double firstEnergy;
@@ -124,6 +128,7 @@ public final class Laws {
         radius = new double[n];
         mass = new double[n];
         restsSince = new double[n];
+        gone = new boolean[n];
         double pull = -fuzz.scene().gravity().y();
         firstEnergy = world.kineticEnergy() + world.potentialEnergy();
         energyScale = firstEnergy;
@@ -172,6 +177,9 @@ public final class Laws {
             }
         }
         for (int k = 0; k < joints.size(); k++) {
+            JointSpec joint = fuzz.scene().joints().get(k);
+            gone[joint.a()] |= gone[joint.b()];
+            gone[joint.b()] |= gone[joint.a()];
             joint(k, tick);
         }
     }
@@ -199,8 +207,8 @@ public final class Laws {
             out = Math.max(Math.abs(at.x), Math.abs(at.z)) - room;
             out = Math.max(out, at.y - 2 * room);
         }
-        if (fuzz.scene().gravity().y() != 0
-                && Math.max(Math.abs(at.x), Math.abs(at.z)) < fuzz.floor()) {
+        gone[i] |= Math.max(Math.abs(at.x), Math.abs(at.z)) >= fuzz.floor() - radius[i];
+        if (fuzz.scene().gravity().y() != 0 && !gone[i]) {
             out = Math.max(out, -at.y);
         }
         breach(Law.WALLS, out / radius[i], tick, "body " + i);

@@ -105,13 +105,14 @@ public final class WorldGenerator {
         int count = count();
         double restitution = restitution();
         boolean tower = !space && !closed && random.nextInt(8) == 0;
+        double machine = family == Family.MACHINE ? Math.max(size, LEAST_MACHINE) : size;
         Grounds grounds = null;
         if (family == Family.LEVEL || (family == Family.MACHINE && !space)) {
-            grounds = Grounds.draw(draws, size);
+            grounds = Grounds.draw(draws, machine);
             base(grounds, size);
         }
         if (family == Family.MACHINE) {
-            machines(1 + random.nextInt(2), size, space);
+            machines(1 + random.nextInt(2), machine, space);
             scatter(random.nextInt(4), size, space, restitution, base);
         } else if (tower && family != Family.LEVEL) {
             tower(count, size);
@@ -304,8 +305,7 @@ public final class WorldGenerator {
     /** Machines in rigid motion, or at rest. */
     private void machines(int count, double size, boolean space) {
         for (int i = 0; i < count; i++) {
-            Machines machine =
-                    Machines.draw(draws, Math.max(size, LEAST_MACHINE) * draws.power(-0.7, 0));
+            Machines machine = Machines.draw(draws, size * draws.power(-0.7, 0));
             double radius = machine.radius();
             Xyz at = free(radius, 2 * radius, space);
             Xyz velocity = Xyz.ZERO;

@@ -140,6 +140,7 @@ public final class Collector implements Stateful {
             colouring.finish(list, batches);
             link();
         }
+        assemblies.stand(list);
         return stacked;
     }
 

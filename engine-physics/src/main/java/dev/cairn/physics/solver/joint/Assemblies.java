@@ -110,6 +110,19 @@ public final class Assemblies implements Stateful {
         return !same;
     }
 
+    /** Notes which contacts of a tick are between an assembly and what does not move. */
+    public void stand(EdgeList list) {
+        for (int a = 0; a < all.size(); a++) {
+            all.get(a).standCount = 0;
+        }
+        for (int m = 0; m < list.contacts && !all.isEmpty(); m++) {
+            int slot = list.mover(m);
+            if (!list.isBetweenMovers(m) && !list.isSingle[m] && binds(slot)) {
+                all.get(ofBody[slot]).stand(m);
+            }
+        }
+    }
+
     /** Whose joints were seen in the last tick; what follows from it is found anew. */
     @Override
     public void state(StateVisitor s) {

@@ -1,11 +1,25 @@
 package dev.cairn.physics.solver.joint;
 
+import java.util.Arrays;
+
 /**
  * Bodies that hang together by joints, whatever they touch: what is solved as a whole.
  *
  * <p>Made by {@link Assemblies} when joints come, go, sleep or wake.
  */
 public final class Assembly {
+    /** Edges of its contacts with what does not move, of this tick; how many there are. */
+    int[] stand = {};
+
+    int standCount;
+
+    /**
+     * By point of these: impulse that {@link ContactCoupling} gave in the sub-step; whether any.
+     */
+    double[] given = {};
+
+    boolean gives;
+
     /** Patience beyond which it is taken to fail always. */
     private static final int ROUGH = 16;
 
@@ -102,6 +116,15 @@ public final class Assembly {
     final double[] speed;
 
     final double[] noted;
+
+    /** Notes a contact with what does not move. */
+    void stand(int edge) {
+        if (standCount == stand.length) {
+            stand = Arrays.copyOf(stand, 2 * standCount + 4);
+            given = new double[ContactCoupling.POINTS * stand.length];
+        }
+        stand[standCount++] = edge;
+    }
 
     /** Whether Newton's method fails again and again. */
     boolean isRough() {

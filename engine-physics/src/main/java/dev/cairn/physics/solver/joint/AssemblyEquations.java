@@ -209,6 +209,11 @@ abstract class AssemblyEquations {
     /** The same, and adds the impulses. */
     void correct() {
         solve();
+        addImpulses();
+    }
+
+    /** Adds the impulses of the solution. */
+    void addImpulses() {
         BlockFactors f = s.factors;
         for (int k = 0; k < s.joint.length; k++) {
             int u = f.unknown(s.body.length + k);

@@ -13,7 +13,7 @@ abstract class GapClosing extends HoldingRows {
     /** Rounds in which gaps are closed aside, and down to which share of a body's size. */
     private static final int CLOSINGS = 4;
 
-    private static final double CLOSELY = 1e-4;
+    private static final double CLOSELY = 1e-8;
 
     private final double[] turn = new double[3];
 
@@ -37,11 +37,15 @@ abstract class GapClosing extends HoldingRows {
         }
     }
 
-    /** Writes what is open to {@link Assembly#now}; the worst, over its size. */
+    /**
+     * Writes what is open to {@link Assembly#now}; the worst, over its size. A step closes what the
+     * allowed speeds can, and no less than what the bodies' own turn may have opened: {@code w h}.
+     */
     double gaps(boolean begins) {
         double worst = 0;
         for (int k = 0; k < s.joint.length; k++) {
             double size = size(k);
+            double turned = turned(2 * k) + turned(2 * k + 1);
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = row(k, r);
                 boolean isAngle = JointMath.isAngle(store.law[row]);
@@ -54,13 +58,26 @@ abstract class GapClosing extends HoldingRows {
                     gap = past * store.held[row] > 0 ? past : 0;
                 }
                 // what is far apart is drawn nearer only once
-                double most = reach(isAngle);
+                double most = Math.max(reach(isAngle), isAngle ? turned : turned * size);
                 gap = begins || Math.abs(gap) < most ? within(gap, most) : 0;
                 worst = Math.max(worst, Math.abs(isAngle ? gap : gap / size));
                 s.now[r] = gap;
             }
         }
         return worst;
+    }
+
+    /** Angle by which the body at one end of a joint turns in the sub-step; 0 if it is fixed. */
+    private double turned(int end) {
+        return s.end[end] < 0 ? 0 : turned(tick.body, s.body[s.end[end]]);
+    }
+
+    private double turned(SolverBodies body, int i) {
+        int w = SolverBodies.offset(i) + 3;
+        double x = body.world(i, w, 0);
+        double y = body.world(i, w, 1);
+        double z = body.world(i, w, 2);
+        return Math.abs(h) * SolverBodies.norm(x, y, z);
     }
 
     /** Size that the gaps of a joint are measured by, m: its smaller body that moves, and arms. */
@@ -90,8 +107,10 @@ abstract class GapClosing extends HoldingRows {
             double way = root * SolverBodies.norm(f.x[u], f.x[u + 1], f.x[u + 2]);
             turn(s.body[n], u + 3);
             double angle = SolverBodies.norm(turn[0], turn[1], turn[2]);
-            part = way * part > 2 * reach(false) ? 2 * reach(false) / way : part;
-            part = angle * part > 2 * reach(true) ? 2 * reach(true) / angle : part;
+            double turned = turned(body, s.body[n]);
+            double size = tick.bodies.outerRadius[s.body[n]];
+            part = cut(part, way, Math.max(reach(false), turned * size));
+            part = cut(part, angle, Math.max(reach(true), turned));
         }
         for (int n = 0; n < s.body.length; n++) {
             int i = s.body[n];
@@ -106,6 +125,11 @@ abstract class GapClosing extends HoldingRows {
             turn(i, u + 3);
             Rotation.turn(tick.bodies, i, part * turn[0], part * turn[1], part * turn[2]);
         }
+    }
+
+    /** A share of a way that is no more than twice as far as allowed. */
+    private static double cut(double part, double way, double reach) {
+        return way * part > 2 * reach ? 2 * reach / way : part;
     }
 
     /** {@code L u} of three unknowns. */

@@ -6,6 +6,7 @@ import dev.cairn.physics.solver.body.Motion;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
+import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.SubStep;
 
 import java.util.Arrays;
@@ -31,7 +32,9 @@ import java.util.Arrays;
  *   AssemblyEquations   rows in the present poses, and the linear system
  *   HoldingRows         which limits, motors and springs are equations, by trial
  *   GapClosing          what is open already is closed aside
- *   JointSolve          the two halves
+ *   ContactCoupling     what it stands on is solved with it
+ *   VelocityHalf        what joints do not allow is taken from the velocities
+ *   JointSolve          the position half, and what a sub-step is made of
  * </pre>
  *
  * <p>A spring is {@code l = -h/4 k (c + c') - d/2 (c' - c)}, half of the implicit midpoint rule, in
@@ -41,27 +44,26 @@ import java.util.Arrays;
  * <p>Source: H. C. Andersen, "Rattle: a velocity version of the Shake algorithm" (1983). One to a
  * worker. Does not allocate.
  */
-public final class JointSolve extends GapClosing {
+public final class JointSolve extends VelocityHalf {
     /** Numbers to a body of {@link Assembly#kept}. */
     static final int KEPT = 22;
 
     /** Most sub-steps until Newton's method is tried again where it has failed. */
     static final int ROUGH = 128;
 
-    private static final int ROUNDS = 12;
+    /**
+     * What may be left after the last round, to be closed aside: far less than a failure leaves.
+     */
+    private static final double ALMOST = 1e-7;
 
     /** A joint is closed to this share of its bodies' size, or rad. */
     private static final double CLOSED = 1e-13;
 
-    /**
-     * Energy that impulses may add beside contacts. Those of a turning link turn with it and add
-     * {@code (w h)²/4}; more than this is no turn, but sweeps and joints that pull against each
-     * other.
-     */
-    private static final double GAIN = 1.05;
-
     /** Turning speed at which a joint that is out of place is turned back, rad/s. */
     private static final double TURN_BACK = 10;
+
+    /** Whether contacts were just solved with the joints, so that {@code J(x) v = 0}. */
+    private boolean isHeld;
 
     private final JointEnergy energy = new JointEnergy();
     private final Tension tension = new Tension();
@@ -94,6 +96,7 @@ public final class JointSolve extends GapClosing {
      */
     public void warm(double scale) {
         s.calm();
+        Arrays.fill(s.given, 0, POINTS * s.standCount, 0.0);
         derive();
         double most = GAIN * kinetic();
         for (int k = 0; k < s.joint.length; k++) {
@@ -113,13 +116,6 @@ public final class JointSolve extends GapClosing {
     public void account(SubStep sub) {
         if (s.keeps) {
             JointEnergy.begin(tick, s, sub.seconds);
-        }
-    }
-
-    /** Sweeps of contacts begin, or end. */
-    public void sweeps(boolean end) {
-        if (s.keeps) {
-            JointEnergy.sweeps(tick, s, end);
         }
     }
 
@@ -185,7 +181,8 @@ public final class JointSolve extends GapClosing {
             boolean changed = !s.isRigid && hold(round);
             double worst = residuals();
             boolean gains = worst <= 0.3 * last && round < ROUNDS - 1;
-            boolean ends = !changed && worst <= (gains ? CLOSED : NEARLY);
+            boolean ends =
+                    !changed && worst <= (gains ? CLOSED : round < ROUNDS - 1 ? NEARLY : ALMOST);
             if (s.isRigid && !(ends && stay)) {
                 restore();
             }
@@ -198,8 +195,10 @@ public final class JointSolve extends GapClosing {
                 if (ends && s.isRigid && stay) {
                     restore();
                 }
-                s.rough = s.patience;
-                s.patience = Math.min(4 * s.patience, ROUGH);
+                if (!isHeld) {
+                    s.rough = s.patience;
+                    s.patience = Math.min(4 * s.patience, ROUGH);
+                }
                 project(most);
                 break;
             }
@@ -208,6 +207,25 @@ public final class JointSolve extends GapClosing {
             correct();
         }
         end(stay);
+    }
+
+    /**
+     * The position half of an assembly that touches something: after the joints, what it stands on,
+     * and the joints again.
+     *
+     * @param rows of the contacts
+     */
+    public void position(SubStep sub, ConstraintRows rows) {
+        position(sub.seconds, false);
+        if (misses(rows, sub, true)) {
+            sweeps(false);
+            rest();
+            carry(rows, sub, true);
+            isHeld = true;
+            position(sub.seconds, false);
+            isHeld = false;
+            sweeps(true);
+        }
     }
 
     /** Notes speeds and impulses of motors and springs, for {@link #work}. */
@@ -347,14 +365,41 @@ public final class JointSolve extends GapClosing {
     }
 
     /**
-     * Where Newton's method fails: its first round alone, and if that adds too much energy, no
-     * impulse at all.
+     * Where Newton's method fails: its first round alone, and if that adds too much energy, what
+     * stops the bodies where joints hold them: {@code J(x) v' = 0}, which only takes energy away.
      */
     private void project(double most) {
-        single();
-        if (!(kinetic() <= most + work())) {
-            release();
+        if (!isHeld) {
+            single();
         }
+        if (isHeld || !(kinetic() <= most + work())) {
+            release();
+            rest();
+        }
+    }
+
+    /** Stops bodies where locks hold them, {@code J(x) v' = 0}, and lets limits be reached. */
+    private void rest() {
+        for (int k = 0; k < s.joint.length; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                if (store.role[row(k, r)] < JointStore.MOTOR) {
+                    set(k, r, 0);
+                }
+            }
+        }
+        for (int k = 0; k < s.joint.length; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                int row = row(k, r);
+                s.now[r] = store.role[row] < JointStore.MOTOR ? speed(k, r) : 0;
+                if (s.isActive[r] && store.role[row] == JointStore.LIMIT) {
+                    double way = (store.held[row] < 0 ? store.lower[row] : store.upper[row]);
+                    way -= s.start[r];
+                    s.now[r] -= way * store.held[row] > 0 ? way / h : 0;
+                }
+            }
+        }
+        factor(true);
+        correct();
     }
 
     private void single() {
@@ -374,84 +419,5 @@ public final class JointSolve extends GapClosing {
         residuals();
         factor(true);
         correct();
-    }
-
-    // Velocity half -------------------------------------------------------------------------------
-
-    /**
-     * After the bodies have moved, and their roots are those of their present orientation.
-     *
-     * @param warm whether to begin with the impulses of the last sub-step
-     * @param counts whether what is found are the impulses of the sub-step
-     */
-    public void beginVelocity(boolean warm, boolean counts) {
-        s.isFresh = false;
-        derive();
-        activate(false);
-        double most = GAIN * kinetic();
-        for (int k = 0; k < s.joint.length; k++) {
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                int row = row(k, r);
-                byte role = store.role[row];
-                double first = warm && s.isActive[r] ? store.after[row] : 0;
-                first = role == JointStore.SPRING ? store.after[row] : first;
-                first = role == JointStore.MOTOR && !s.isActive[r] ? store.before[row] : first;
-                s.impulse[r] = 0;
-                set(k, r, counts ? first : 0);
-            }
-        }
-        if (s.keeps && counts && !(kinetic() <= most)) {
-            release();
-        }
-    }
-
-    /**
-     * Takes from the velocities what the joints do not allow.
-     *
-     * @param counts whether its impulses are those of the sub-step
-     */
-    public void velocity(double seconds, boolean counts) {
-        h = seconds;
-        changes = 0;
-        double first = 0;
-        close();
-        for (int round = 0; round < ROUNDS; round++) {
-            boolean changed = round > 0 && letGo();
-            double worst = 0;
-            for (int k = 0; k < s.joint.length; k++) {
-                for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                    int row = row(k, r);
-                    boolean isDriven = store.role[row] == JointStore.MOTOR;
-                    double miss = speed(k, r) - (isDriven ? store.target[row] : 0);
-                    s.now[r] = s.isActive[r] ? miss : 0;
-                    worst = Math.max(worst, Math.abs(s.now[r]));
-                }
-            }
-            first = Math.max(first, worst);
-            if (!changed && (worst <= 1e-14 * first || round > 2)) {
-                break;
-            }
-            factor(false);
-            correct();
-        }
-        if (counts) {
-            relieve(false);
-            end();
-        }
-    }
-
-    /** Keeps impulses, and the forces that they stand for. */
-    private void end() {
-        for (int k = 0; k < s.joint.length; k++) {
-            int j = s.joint[k];
-            math.look(tick.bodies, tick.body.state, store, j, offset(k, 0), offset(k, 1));
-            Arrays.fill(store.reaction, 6 * j, 6 * j + 6, 0.0);
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                int row = row(k, r);
-                store.after[row] = s.impulse[r];
-                double force = (store.before[row] + store.after[row]) / h;
-                math.react(s.derivative, JointMath.JACOBIAN * r, force, store.reaction, 6 * j);
-            }
-        }
     }
 }

@@ -1,0 +1,311 @@
+package dev.cairn.physics.solver.joint;
+
+import static dev.cairn.physics.solver.row.ConstraintRows.ARM_B;
+import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
+import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
+import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
+import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
+import static dev.cairn.physics.solver.row.ConstraintRows.SEPARATION;
+import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
+
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.SubStep;
+
+import java.util.Arrays;
+
+/**
+ * What an assembly stands on or falls on is solved with it.
+ *
+ * <p>Problem: a sweep gives a light wheel what stops the wheel. The heavy cart above it goes on,
+ * and joints, which have the last word, push the wheel into the floor: of what is missing a round
+ * of sweep and joints brings the share {@code m/M}. A cart of 200 times its wheels' mass went
+ * through the floor with them.
+ *
+ * <p>With u the velocities that are scaled so that the mass matrix is 1, and J those of the joints,
+ * an impulse l along the row n of a contact changes
+ *
+ * <pre>
+ * du = (1 - J^T (J J^T + E)^-1 J) n^T l
+ * </pre>
+ *
+ * <p>that is, all bodies at once and so that joints still hold: one solve with the factors of the
+ * assembly. {@code k_pq = n_p du_q} couples the points of its contacts with what does not answer to
+ * it, and they are swept by projected Gauss-Seidel until they agree. Points keep the goals that
+ * they have in the sweeps; a soft one gives as much as k wants. Nothing is done where sweeps left
+ * nothing to do.
+ *
+ * <p>Source: the operational-space inertia of articulated bodies (O. Khatib, 1987), of which k is
+ * the inverse, as in D. Baraff, "Linear-time dynamics using Lagrange multipliers" (1996), section
+ * 7.
+ */
+abstract class ContactCoupling extends GapClosing {
+    /** Most points to a contact. */
+    static final int POINTS = 4;
+
+    private static final int SWEEPS = 100;
+
+    /** Share of a change, of the largest impulse, at which points agree. */
+    private static final double AGREES = 1e-9;
+
+    /** Of the speed that gravity adds in a sub-step: what may be left to the next sweeps. */
+    private static final double LEFT = 0.5;
+
+    private int points;
+
+    /** By point: where it is among the fields, side of the body, the body among those of s. */
+    private int[] field = new int[16];
+
+    private int[] normal = new int[16];
+    private int[] sum = new int[16];
+    private int[] link = new int[16];
+    private int[] node = new int[16];
+    private int[] place = new int[16];
+    private double[] miss = new double[16];
+    private double[] give = new double[16];
+    private double[] change = new double[16];
+
+    /** {@code k_pq} at {@code p points + q}. */
+    private double[] coupling = new double[256];
+
+    /**
+     * Whether sweeps and joints have left contacts of the assembly with what does not answer to it
+     * less than solved.
+     *
+     * @param soft as in the bias pass, before the movement; else as in the relax pass
+     */
+    boolean misses(ConstraintRows rows, SubStep sub, boolean soft) {
+        return s.standCount > 0
+                && !rows.isSingle
+                && gather(rows, sub, soft) > LEFT * tick.weight() * sub.seconds;
+    }
+
+    /** Solves them. */
+    void carry(ConstraintRows rows, SubStep sub, boolean soft) {
+        gather(rows, sub, soft);
+        factor(soft);
+        couple(rows.doubles, rows.lanes);
+        if (soft) {
+            soften(rows, sub);
+        }
+        sweep(rows.doubles, rows.lanes);
+        apply(rows.doubles, rows.lanes, !soft);
+    }
+
+    /**
+     * Takes what was given here out of the next warm start, at the end of a sub-step. It was a blow
+     * or is still to be found by the sweeps; given again as if it were a load, it would throw the
+     * assembly off.
+     */
+    void forget(ConstraintRows rows) {
+        for (int e = 0; e < s.standCount && s.gives; e++) {
+            int m = s.stand[e];
+            int j = rows.list.place[m];
+            int side = rows.list.slotA[m] >= 0 ? 0 : 1;
+            int o = rows.base(j);
+            for (int p = 0; p < rows.points(j); p++) {
+                int q = o + (POINT + p * POINT_FIELDS) * rows.lanes;
+                int l = q + IMPULSE * rows.lanes;
+                double part = Math.min(s.given[POINTS * e + p], rows.doubles[l]);
+                if (part > 0) {
+                    rows.doubles[l] -= part;
+                    int arm = q + (side == 0 ? 0 : ARM_B * rows.lanes);
+                    double[] to = tick.body.mark;
+                    int body = rows.link[j * LINK + side];
+                    int at = body / SolverBodies.STRIDE * SolverBodies.HALF;
+                    add(rows.doubles, rows.lanes, o, arm, body, side == 0 ? -part : part, to, at);
+                }
+            }
+        }
+        s.gives = false;
+    }
+
+    /** Adds what an impulse does to the velocities of a body, or to what stands beside them. */
+    private void add(
+            double[] d, int lanes, int n, int arm, int body, double impulse, double[] to, int at) {
+        double k = impulse * tick.body.state[body + SolverBodies.MASS];
+        for (int c = 0; c < 3; c++) {
+            to[at + c] += k * d[n + c * lanes];
+            to[at + 3 + c] += impulse * d[arm + c * lanes];
+        }
+    }
+
+    /** Lists the points that may press; the largest speed that one of them misses, m/s. */
+    private double gather(ConstraintRows rows, SubStep sub, boolean soft) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        double worst = 0;
+        points = 0;
+        for (int e = 0; e < s.standCount; e++) {
+            int m = s.stand[e];
+            int j = rows.list.place[m];
+            int o = rows.base(j);
+            int side = rows.list.slotA[m] >= 0 ? 0 : 1;
+            int n = Arrays.binarySearch(s.body, rows.list.mover(m));
+            ensure(points + rows.points(j));
+            for (int p = 0; p < rows.points(j); p++) {
+                int q = o + (POINT + p * POINT_FIELDS) * lanes;
+                double gap = d[q + SEPARATION * lanes];
+                double l = d[q + IMPULSE * lanes];
+                boolean isOpen = gap > sub.touch;
+                if (!soft && isOpen && l == 0) {
+                    continue;
+                }
+                double v = speed(d, lanes, o, q, j * LINK, rows.link);
+                v += isOpen ? gap * sub.inverse : soft ? 0 : sub.closing;
+                double lift = soft && !isOpen ? push(sub, gap) : 0;
+                worst = Math.max(worst, l > 0 && !soft ? Math.abs(v) : -(v + lift));
+                field[points] = q;
+                normal[points] = o;
+                sum[points] = o + (SUM + p) * lanes;
+                link[points] = rows.link[j * LINK + side] * (side == 0 ? -1 : 1);
+                node[points] = n;
+                place[points] = POINTS * e + p;
+                miss[points] = v;
+                give[points++] = 0;
+            }
+        }
+        return worst;
+    }
+
+    /** Speed at which a point opens, m/s. */
+    private double speed(double[] d, int lanes, int o, int q, int l, int[] links) {
+        double[] v = tick.body.state;
+        int a = links[l];
+        int b = links[l + ConstraintRows.BODY_B];
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            sum += d[o + c * lanes] * (v[b + c] - v[a + c]);
+            sum += d[q + (ARM_B + c) * lanes] * v[b + 3 + c] - d[q + c * lanes] * v[a + 3 + c];
+        }
+        return sum;
+    }
+
+    /** Solves for what each point does to all bodies, and what of that the others feel. */
+    private void couple(double[] d, int lanes) {
+        BlockFactors f = s.factors;
+        for (int q = 0; q < points; q++) {
+            Arrays.fill(f.x, 0.0);
+            load(d, lanes, q, 1);
+            f.solve();
+            for (int p = 0; p < points; p++) {
+                coupling[p * points + q] = felt(d, lanes, p);
+            }
+        }
+    }
+
+    /** Adds an impulse at a point to the right-hand side. */
+    private void load(double[] d, int lanes, int p, double impulse) {
+        double[] x = s.factors.x;
+        int u = s.factors.unknown(node[p]);
+        int arm = arm(p, lanes);
+        double l = link[p] < 0 ? -impulse : impulse;
+        double root = l * Math.sqrt(tick.body.state[Math.abs(link[p]) + SolverBodies.MASS]);
+        for (int c = 0; c < 3; c++) {
+            x[u + c] += root * d[normal[p] + c * lanes];
+            x[u + 3 + c] += l * d[arm + c * lanes];
+        }
+    }
+
+    /** What a point feels of the solution, m/s. */
+    private double felt(double[] d, int lanes, int p) {
+        double[] x = s.factors.x;
+        int u = s.factors.unknown(node[p]);
+        int arm = arm(p, lanes);
+        double root = Math.sqrt(tick.body.state[Math.abs(link[p]) + SolverBodies.MASS]);
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            sum += root * d[normal[p] + c * lanes] * x[u + c];
+            sum += d[arm + c * lanes] * x[u + 3 + c];
+        }
+        return link[p] < 0 ? -sum : sum;
+    }
+
+    private int arm(int p, int lanes) {
+        return field[p] + (link[p] < 0 ? 0 : ARM_B * lanes);
+    }
+
+    /**
+     * Goals of points that overlap: {@code v + rate s/massScale + give l = 0}, with the give of the
+     * mass that the whole assembly is to the point.
+     */
+    private void soften(ConstraintRows rows, SubStep sub) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        for (int p = 0; p < points; p++) {
+            double gap = d[field[p] + SEPARATION * lanes];
+            if (!(gap > sub.touch)) {
+                double k = coupling[p * points + p];
+                give[p] = sub.fixedImpulseScale * k / sub.fixedMassScale;
+                miss[p] += push(sub, gap) + give[p] * d[field[p] + IMPULSE * lanes];
+            }
+        }
+    }
+
+    /** Speed at which an overlap is to close, negative, m/s. */
+    private static double push(SubStep sub, double gap) {
+        return Math.max(gap * sub.fixedRate, -sub.pushSpeed) / sub.fixedMassScale;
+    }
+
+    /** Projected Gauss-Seidel: {@code l = max(l - miss/(k + give), 0)}, point by point. */
+    private void sweep(double[] d, int lanes) {
+        Arrays.fill(change, 0, points, 0.0);
+        for (int sweep = 0; sweep < SWEEPS; sweep++) {
+            double moved = 0;
+            double largest = 0;
+            for (int p = 0; p < points; p++) {
+                double own = coupling[p * points + p] + give[p];
+                if (!(own > 0)) {
+                    continue;
+                }
+                double lacks = miss[p] + give[p] * change[p];
+                for (int q = 0; q < points; q++) {
+                    lacks += coupling[p * points + q] * change[q];
+                }
+                double old = d[field[p] + IMPULSE * lanes];
+                double next = Math.max(change[p] - lacks / own, -old);
+                moved = Math.max(moved, Math.abs(next - change[p]));
+                largest = Math.max(largest, old + next);
+                change[p] = next;
+            }
+            if (!(moved > AGREES * largest)) {
+                return;
+            }
+        }
+    }
+
+    /** Adds the impulses of points and joints. */
+    private void apply(double[] d, int lanes, boolean isLast) {
+        BlockFactors f = s.factors;
+        double[] v = tick.body.state;
+        Arrays.fill(f.x, 0.0);
+        s.gives = true;
+        for (int p = 0; p < points; p++) {
+            double l = change[p];
+            load(d, lanes, p, l);
+            d[field[p] + IMPULSE * lanes] += l;
+            d[sum[p]] += isLast ? l : 0;
+            s.given[place[p]] += l;
+            int o = Math.abs(link[p]);
+            add(d, lanes, normal[p], arm(p, lanes), o, link[p] < 0 ? -l : l, v, o);
+        }
+        f.solve();
+        addImpulses();
+    }
+
+    private void ensure(int count) {
+        if (count > field.length) {
+            int n = 2 * count;
+            field = Arrays.copyOf(field, n);
+            normal = Arrays.copyOf(normal, n);
+            sum = Arrays.copyOf(sum, n);
+            link = Arrays.copyOf(link, n);
+            node = Arrays.copyOf(node, n);
+            place = Arrays.copyOf(place, n);
+            miss = Arrays.copyOf(miss, n);
+            give = Arrays.copyOf(give, n);
+            change = Arrays.copyOf(change, n);
+            coupling = new double[n * n];
+        }
+    }
+}

@@ -1,0 +1,140 @@
+package dev.cairn.physics.solver.joint;
+
+import dev.cairn.physics.internal.JointStore;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.SubStep;
+
+import java.util.Arrays;
+
+/**
+ * The velocity half of a sub-step: after the bodies have moved, joints are closed aside and what
+ * they do not allow is taken from the velocities, {@code J(x') v = 0}.
+ */
+abstract class VelocityHalf extends ContactCoupling {
+    static final int ROUNDS = 24;
+
+    /**
+     * Energy that impulses may add beside contacts. Those of a turning link turn with it and add
+     * {@code (w h)²/4}; more than this is no turn, but sweeps and joints that pull against each
+     * other.
+     */
+    static final double GAIN = 1.05;
+
+    /** Sweeps of contacts begin, or end. */
+    public void sweeps(boolean end) {
+        if (s.keeps) {
+            JointEnergy.sweeps(tick, s, end);
+        }
+    }
+
+    /** Solves contacts with the assembly: whether that changed anything. */
+    boolean stands(ConstraintRows rows, SubStep sub, boolean soft) {
+        if (!misses(rows, sub, soft)) {
+            return false;
+        }
+        sweeps(false);
+        carry(rows, sub, soft);
+        sweeps(true);
+        return true;
+    }
+
+    /**
+     * After the bodies have moved, and their roots are those of their present orientation.
+     *
+     * @param warm whether to begin with the impulses of the last sub-step
+     * @param counts whether what is found are the impulses of the sub-step
+     */
+    public void beginVelocity(boolean warm, boolean counts) {
+        s.isFresh = false;
+        derive();
+        activate(false);
+        double most = GAIN * kinetic();
+        for (int k = 0; k < s.joint.length; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                int row = row(k, r);
+                byte role = store.role[row];
+                double first = warm && s.isActive[r] ? store.after[row] : 0;
+                first = role == JointStore.SPRING ? store.after[row] : first;
+                first = role == JointStore.MOTOR && !s.isActive[r] ? store.before[row] : first;
+                s.impulse[r] = 0;
+                set(k, r, counts ? first : 0);
+            }
+        }
+        if (s.keeps && counts && !(kinetic() <= most)) {
+            release();
+        }
+    }
+
+    /**
+     * Takes from the velocities what the joints do not allow.
+     *
+     * @param counts whether its impulses are those of the sub-step
+     */
+    void velocity(double seconds, boolean counts) {
+        h = seconds;
+        close();
+        stop();
+        if (counts) {
+            relieve(false);
+            end();
+        }
+    }
+
+    /**
+     * The same with contacts with what does not move.
+     *
+     * @param rows of the contacts
+     */
+    public void velocity(SubStep sub, boolean counts, ConstraintRows rows) {
+        h = sub.seconds;
+        close();
+        stop();
+        if (stands(rows, sub, false)) {
+            stop();
+        }
+        forget(rows);
+        if (counts) {
+            relieve(false);
+            end();
+        }
+    }
+
+    private void stop() {
+        changes = 0;
+        double first = 0;
+        for (int round = 0; round < ROUNDS; round++) {
+            boolean changed = round > 0 && letGo();
+            double worst = 0;
+            for (int k = 0; k < s.joint.length; k++) {
+                for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                    int row = row(k, r);
+                    boolean isDriven = store.role[row] == JointStore.MOTOR;
+                    double miss = speed(k, r) - (isDriven ? store.target[row] : 0);
+                    s.now[r] = s.isActive[r] ? miss : 0;
+                    worst = Math.max(worst, Math.abs(s.now[r]));
+                }
+            }
+            first = Math.max(first, worst);
+            if (!changed && (worst <= 1e-14 * first || round > 2)) {
+                return;
+            }
+            factor(false);
+            correct();
+        }
+    }
+
+    /** Keeps impulses, and the forces that they stand for. */
+    private void end() {
+        for (int k = 0; k < s.joint.length; k++) {
+            int j = s.joint[k];
+            math.look(tick.bodies, tick.body.state, store, j, offset(k, 0), offset(k, 1));
+            Arrays.fill(store.reaction, 6 * j, 6 * j + 6, 0.0);
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                int row = row(k, r);
+                store.after[row] = s.impulse[r];
+                double force = (store.before[row] + store.after[row]) / h;
+                math.react(s.derivative, JointMath.JACOBIAN * r, force, store.reaction, 6 * j);
+            }
+        }
+    }
+}
