@@ -51,7 +51,7 @@ final class LawsTest {
      * in a room and 6 of 300 in space gain, up to 1700 times what they had.
      */
     @ParameterizedTest(name = "{0}, seed 2")
-    @CsvSource({"HOUSE, 2500", "ROOM, 2500", "SPACE, 2500"})
+    @CsvSource({"HOUSE, 2500", "ROOM, 2500", "SPACE, 2500", "LEVEL, 800", "MACHINE, 400"})
     void energyAndMomentumAreKept(Family family, int worlds) {
         for (int i = 0; i < worlds; i++) {
             FuzzWorld fuzz = WorldGenerator.world(SEED + 1, i, family);
