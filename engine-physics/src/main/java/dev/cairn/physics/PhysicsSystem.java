@@ -62,7 +62,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
 
     /** The kinds of constraints beside contacts, in the order in which they are solved. */
     private final ConstraintKind[] kinds = {
-        new ConstraintKind(joints, new JointRows(joints, true), new JointRows(joints, false))
+        new ConstraintKind(joints, new JointRows(), new JointRows())
     };
 
     /** All that binds bodies, contacts first. */

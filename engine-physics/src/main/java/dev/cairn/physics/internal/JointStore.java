@@ -85,9 +85,6 @@ public final class JointStore implements EdgeSource, Stateful {
     /** Whether the bodies of the joint collide with each other. */
     public boolean[] collides = {};
 
-    /** Whether the joint is solved with its whole assembly. */
-    public boolean[] isDirect = {};
-
     /** Whether {@link #most} of the springs along x, y and z is that of their sum's length. */
     public boolean[] isRound = {};
 
@@ -246,7 +243,6 @@ public final class JointStore implements EdgeSource, Stateful {
         isThere = c.column("isThere", isThere);
         isEnabled = c.column("isEnabled", isEnabled);
         collides = c.column("collides", collides);
-        isDirect = c.column("isDirect", isDirect);
         isRound = c.column("isRound", isRound);
         stamp = c.column("stamp", stamp);
         bodyA = c.column("bodyA", bodyA);

@@ -70,12 +70,9 @@ public final class Assemblies implements Stateful {
         return all.size();
     }
 
-    /** Whether a body is in one that is solved directly; bodies that came later are in none. */
+    /** Whether a body is in one; bodies that came later are in none. */
     public boolean binds(int slot) {
-        return !all.isEmpty()
-                && slot < ofBody.length
-                && ofBody[slot] >= 0
-                && all.get(ofBody[slot]).isDirect;
+        return !all.isEmpty() && slot < ofBody.length && ofBody[slot] >= 0;
     }
 
     /**
@@ -117,7 +114,8 @@ public final class Assemblies implements Stateful {
         }
         for (int m = 0; m < list.contacts && !all.isEmpty(); m++) {
             int slot = list.mover(m);
-            if (!list.isBetweenMovers(m) && !list.isSingle[m] && binds(slot)) {
+            boolean isAlone = !list.isBetweenMovers(m) && !list.isSingle[m];
+            if (isAlone && binds(slot) && all.get(ofBody[slot]).isDirect) {
                 all.get(ofBody[slot]).stand(m);
             }
         }
@@ -250,7 +248,6 @@ public final class Assemblies implements Stateful {
         for (int a = 0; a < count; a++) {
             Assembly assembly = new Assembly(body[a], joint[a], end[a], rows[a]);
             for (int j : joint[a]) {
-                store.isDirect[j] = assembly.isDirect;
                 for (int r = store.firstRow[j]; r < store.firstRow[j] + store.rows[j]; r++) {
                     assembly.isRigid &= store.role[r] == JointStore.LOCK;
                 }
@@ -260,7 +257,7 @@ public final class Assemblies implements Stateful {
     }
 
     /**
-     * Lists the direct assemblies by batch.
+     * Lists the assemblies by batch.
      *
      * @param batchOfBody tells the batch of a slot
      * @param batches how many there are
@@ -277,17 +274,13 @@ public final class Assemblies implements Stateful {
         }
         Arrays.fill(firstOfBatch, 0, batches + 1, 0);
         for (int a = 0; a < all.size(); a++) {
-            if (all.get(a).isDirect) {
-                firstOfBatch[batch(batchOfBody, a) + 1]++;
-            }
+            firstOfBatch[batch(batchOfBody, a) + 1]++;
         }
         for (int b = 0; b < batches; b++) {
             firstOfBatch[b + 1] += firstOfBatch[b];
         }
         for (int a = 0; a < all.size(); a++) {
-            if (all.get(a).isDirect) {
-                byBatch[firstOfBatch[batch(batchOfBody, a)]++] = a;
-            }
+            byBatch[firstOfBatch[batch(batchOfBody, a)]++] = a;
         }
         System.arraycopy(firstOfBatch, 0, firstOfBatch, 1, batches);
         firstOfBatch[0] = 0;
@@ -297,7 +290,7 @@ public final class Assemblies implements Stateful {
         return batchOfBody.applyAsInt(all.get(a).body[0]);
     }
 
-    /** The first of the direct assemblies of a batch, those of the next follow. */
+    /** The first of the assemblies of a batch, those of the next follow. */
     public int first(int batch) {
         return all.isEmpty() ? 0 : firstOfBatch[batch];
     }

@@ -37,10 +37,14 @@ public final class Assembly {
     /** First row of each joint among those of the assembly; one more for the end. */
     final int[] firstRow;
 
-    /** Whether it is solved directly; else its joints are swept. */
-    public final boolean isDirect;
+    /** Whether it is solved by factors; else by conjugate gradients. */
+    final boolean isDirect;
 
     final BlockFactors factors;
+    final ConjugateGradients gradients;
+
+    /** That of the two which is used. */
+    final AssemblySystem system;
 
     /** By row: its derivatives, {@link JointMath#JACOBIAN} each, in world axes. */
     final double[] derivative;
@@ -184,6 +188,11 @@ public final class Assembly {
         Elimination order = new Elimination(body.length, rows, end);
         isDirect = order.isSparse;
         factors = new BlockFactors(isDirect ? order : new Elimination(0, new int[0], new int[0]));
+        gradients =
+                isDirect
+                        ? new ConjugateGradients(0, new int[0], new int[1])
+                        : new ConjugateGradients(body.length, end, firstRow);
+        system = isDirect ? factors : gradients;
         derivative = new double[JointMath.JACOBIAN * n];
         scaled = new double[JointMath.JACOBIAN * n];
         pivot = new double[n];

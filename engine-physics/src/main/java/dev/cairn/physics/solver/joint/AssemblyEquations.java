@@ -133,6 +133,11 @@ abstract class AssemblyEquations {
         if (same) {
             return;
         }
+        s.isFactored = true;
+        if (!s.isDirect) {
+            s.gradients.factor(s);
+            return;
+        }
         BlockFactors f = s.factors;
         f.begin(s.body.length);
         for (int k = 0; k < s.joint.length; k++) {
@@ -149,7 +154,6 @@ abstract class AssemblyEquations {
             }
         }
         f.factor();
-        s.isFactored = true;
     }
 
     /** A motor that is not at its most keeps its speed. */
@@ -192,18 +196,23 @@ abstract class AssemblyEquations {
 
     /** Solves for right-hand sides that are in {@link Assembly#now}. */
     void solve() {
-        BlockFactors f = s.factors;
+        AssemblySystem f = s.system;
+        double[] x = f.x();
         for (int i = 0; i < s.body.length; i++) {
             int u = f.unknown(i);
-            Arrays.fill(f.x, u, u + BlockFactors.BODY, 0.0);
+            Arrays.fill(x, u, u + BlockFactors.BODY, 0.0);
         }
         for (int k = 0; k < s.joint.length; k++) {
             int u = f.unknown(s.body.length + k);
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                f.x[u + r - s.firstRow[k]] = s.isActive[r] ? s.now[r] : 0;
+                x[u + r - s.firstRow[k]] = s.isActive[r] ? s.now[r] : 0;
             }
         }
-        f.solve();
+        if (s.isDirect) {
+            s.factors.solve();
+        } else {
+            s.gradients.solve(s);
+        }
     }
 
     /** The same, and adds the impulses. */
@@ -214,12 +223,12 @@ abstract class AssemblyEquations {
 
     /** Adds the impulses of the solution. */
     void addImpulses() {
-        BlockFactors f = s.factors;
+        AssemblySystem f = s.system;
         for (int k = 0; k < s.joint.length; k++) {
             int u = f.unknown(s.body.length + k);
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 if (s.isActive[r]) {
-                    double l = f.x[u + r - s.firstRow[k]];
+                    double l = f.x()[u + r - s.firstRow[k]];
                     s.impulse[r] += l;
                     push(k, r, l);
                 }
@@ -240,7 +249,7 @@ abstract class AssemblyEquations {
      * <p>is the smallest impulse that does the same; twice, as the system is solved to 1e-6 only.
      */
     void relieve(boolean moves) {
-        for (int round = 0; round < 2 && s.isLooped; round++) {
+        for (int round = 0; round < 2 && s.isLooped && s.isDirect; round++) {
             factor(moves);
             for (int k = 0; k < s.joint.length; k++) {
                 for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
@@ -249,9 +258,9 @@ abstract class AssemblyEquations {
             }
             solve();
             for (int k = 0; k < s.joint.length; k++) {
-                int u = s.factors.unknown(s.body.length + k);
+                int u = s.system.unknown(s.body.length + k);
                 for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                    s.impulse[r] += s.isActive[r] ? s.factors.x[u + r - s.firstRow[k]] : 0;
+                    s.impulse[r] += s.isActive[r] ? s.system.x()[u + r - s.firstRow[k]] : 0;
                 }
             }
         }

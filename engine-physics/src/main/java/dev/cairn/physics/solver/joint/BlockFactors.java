@@ -15,7 +15,7 @@ import java.util.Arrays;
  * Elimination} names are stored, so a tree costs a fixed amount to a body. One worker at a time.
  * Allocates when it is made.
  */
-final class BlockFactors {
+final class BlockFactors implements AssemblySystem {
     /** Unknowns to a body. */
     static final int BODY = 6;
 
@@ -28,7 +28,7 @@ final class BlockFactors {
     private final double[] inverse;
 
     /** Right-hand side, then the solution. */
-    final double[] x;
+    private final double[] x;
 
     BlockFactors(Elimination order) {
         this.order = order;
@@ -37,6 +37,11 @@ final class BlockFactors {
         pivot = new double[n];
         inverse = new double[n];
         x = new double[n];
+    }
+
+    @Override
+    public double[] x() {
+        return x;
     }
 
     /** Becomes the matrix without joints' entries: 1 for bodies, 0 for joints. */
@@ -50,8 +55,8 @@ final class BlockFactors {
         }
     }
 
-    /** First unknown of a node. */
-    int unknown(int node) {
+    @Override
+    public int unknown(int node) {
         return order.unknown[order.place[node]];
     }
 

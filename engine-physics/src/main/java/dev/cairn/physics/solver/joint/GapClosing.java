@@ -16,16 +16,22 @@ abstract class GapClosing extends HoldingRows {
     private static final double CLOSELY = 1e-8;
 
     private final double[] turn = new double[3];
+    private final InnerMotion inner = new InnerMotion();
 
     /**
      * Closes what is open by moving bodies, without any speed: {@code x' = x - M^-1 J^T (A + E)^-1
-     * c}.
+     * c}. Those of an assembly that floats would change its angular momentum: it gets that back.
      */
     void close() {
-        for (int round = 0; round < CLOSINGS; round++) {
+        boolean isNoted = false;
+        for (int round = 0; round < (s.isDirect ? CLOSINGS : 1); round++) {
             double worst = gaps(round == 0);
             if (!(worst > (round == 0 ? NEARLY : CLOSELY))) {
-                return;
+                break;
+            }
+            if (!isNoted && !s.isGrounded) {
+                inner.note(tick, s);
+                isNoted = true;
             }
             isClosing = true;
             factor(false);
@@ -34,6 +40,9 @@ abstract class GapClosing extends HoldingRows {
             shift();
             s.isFresh = false;
             derive();
+        }
+        if (isNoted) {
+            inner.giveBack(tick, s);
         }
     }
 
@@ -97,14 +106,15 @@ abstract class GapClosing extends HoldingRows {
      * is cut to twice the way that a gap is closed by.
      */
     void shift() {
-        BlockFactors f = s.factors;
+        AssemblySystem f = s.system;
+        double[] x = f.x();
         SolverBodies body = tick.body;
         double part = 1;
         for (int n = 0; n < s.body.length; n++) {
             int o = SolverBodies.offset(s.body[n]);
             int u = f.unknown(n);
             double root = Math.sqrt(body.state[o + SolverBodies.MASS]);
-            double way = root * SolverBodies.norm(f.x[u], f.x[u + 1], f.x[u + 2]);
+            double way = root * SolverBodies.norm(x[u], x[u + 1], x[u + 2]);
             turn(s.body[n], u + 3);
             double angle = SolverBodies.norm(turn[0], turn[1], turn[2]);
             double turned = turned(body, s.body[n]);
@@ -119,8 +129,8 @@ abstract class GapClosing extends HoldingRows {
             int u = f.unknown(n);
             double root = part * Math.sqrt(body.state[o + SolverBodies.MASS]);
             for (int c = 0; c < 3; c++) {
-                body.state[p + c] += root * f.x[u + c];
-                body.state[p + 3 + c] += part * f.x[u + 3 + c];
+                body.state[p + c] += root * x[u + c];
+                body.state[p + 3 + c] += part * x[u + 3 + c];
             }
             turn(i, u + 3);
             Rotation.turn(tick.bodies, i, part * turn[0], part * turn[1], part * turn[2]);
@@ -136,7 +146,7 @@ abstract class GapClosing extends HoldingRows {
     void turn(int i, int u) {
         double[] l = tick.body.root;
         int q = (i + 1) * SolverBodies.ROOT;
-        double[] x = s.factors.x;
+        double[] x = s.system.x();
         for (int c = 0; c < 3; c++) {
             turn[c] =
                     l[q + 3 * c] * x[u] + l[q + 3 * c + 1] * x[u + 1] + l[q + 3 * c + 2] * x[u + 2];

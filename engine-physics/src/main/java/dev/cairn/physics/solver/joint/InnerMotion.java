@@ -17,10 +17,17 @@ import java.util.Arrays;
  */
 final class InnerMotion {
     private final double[] centre = new double[3];
+
+    /** Sum of masses times places: arms are from the first body while it is made. */
+    private final double[] weighed = new double[3];
+
     private final double[] speed = new double[3];
     private final double[] spin = new double[3];
     private final double[] angular = new double[3];
     private final double[] arm = new double[3];
+
+    /** Angular momentum before bodies were moved. */
+    private final double[] noted = new double[3];
 
     /** Inertia of all, and L^-1 of a body, row by row. */
     private final double[] inertia = new double[9];
@@ -63,11 +70,43 @@ final class InnerMotion {
         return Math.min(excess, inner);
     }
 
+    /** Bodies will be moved without their velocities: keeps the angular momentum of now. */
+    void note(SolverContext tick, Assembly s) {
+        gather(tick, s);
+        System.arraycopy(angular, 0, noted, 0, 3);
+    }
+
+    /** They were: turns the whole by what has become of its angular momentum. */
+    void giveBack(SolverContext tick, Assembly s) {
+        gather(tick, s);
+        for (int c = 0; c < 3; c++) {
+            angular[c] = noted[c] - angular[c];
+        }
+        if (!turns || !solve()) {
+            return;
+        }
+        for (int i : s.body) {
+            int o = SolverBodies.offset(i);
+            int w = (i + 1) * SolverBodies.HALF;
+            reach(tick, s, i);
+            invert(tick.body.root, (i + 1) * SolverBodies.ROOT);
+            for (int c = 0; c < 3; c++) {
+                double linear = cross(spin, arm, c);
+                double turn = row(inverse, c, spin);
+                tick.body.state[o + c] += linear;
+                tick.body.mark[w + c] += linear;
+                tick.body.state[o + 3 + c] += turn;
+                tick.body.mark[w + 3 + c] += turn;
+            }
+        }
+    }
+
     private void gather(SolverContext tick, Assembly s) {
         double[] v = tick.body.state;
         mass = 0;
         turns = true;
         Arrays.fill(centre, 0.0);
+        Arrays.fill(weighed, 0.0);
         Arrays.fill(speed, 0.0);
         Arrays.fill(angular, 0.0);
         Arrays.fill(inertia, 0.0);
@@ -80,13 +119,13 @@ final class InnerMotion {
                             && invert(tick.body.root, (i + 1) * SolverBodies.ROOT);
             reach(tick, s, i);
             for (int c = 0; c < 3; c++) {
-                centre[c] += m * arm[c];
+                weighed[c] += m * arm[c];
                 speed[c] += m * v[o + c];
             }
         }
         for (int c = 0; c < 3; c++) {
             speed[c] /= mass;
-            centre[c] /= mass;
+            centre[c] = weighed[c] / mass;
         }
         Arrays.fill(spin, 0.0);
         if (turns) {
@@ -131,13 +170,15 @@ final class InnerMotion {
         }
     }
 
-    /** {@code I w = L} by Cramer's rule. */
-    private void solve() {
-        if (invert(inertia, 0)) {
-            for (int c = 0; c < 3; c++) {
-                spin[c] = row(inverse, c, angular);
-            }
+    /** {@code I w = L} by Cramer's rule; whether that is possible. */
+    private boolean solve() {
+        if (!invert(inertia, 0)) {
+            return false;
         }
+        for (int c = 0; c < 3; c++) {
+            spin[c] = row(inverse, c, angular);
+        }
+        return true;
     }
 
     /** Inverts a matrix of three rows; whether that is possible. */

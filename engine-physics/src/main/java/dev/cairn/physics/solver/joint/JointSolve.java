@@ -131,7 +131,7 @@ public final class JointSolve extends VelocityHalf {
         s.isFresh = false;
         s.keeps = JointEnergy.keeps(tick, store, s);
         double quick = sub.seconds * tension.quickest(tick, store, s);
-        s.parts = s.isRough() ? 1 : Swing.parts(quick);
+        s.parts = Swing.parts(s, quick);
     }
 
     /**
@@ -147,11 +147,23 @@ public final class JointSolve extends VelocityHalf {
         }
     }
 
-    /** Without a first guess. */
-    void cold() {
+    /** Without a first guess; where solutions are rough, with the last impulses. */
+    void start() {
         s.calm();
         derive();
         Arrays.fill(s.impulse, 0.0);
+        if (s.isDirect) {
+            return;
+        }
+        double most = GAIN * kinetic();
+        for (int k = 0; k < s.joint.length; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                set(k, r, store.before[row(k, r)]);
+            }
+        }
+        if (!(kinetic() <= most)) {
+            release();
+        }
     }
 
     /**
@@ -166,6 +178,11 @@ public final class JointSolve extends VelocityHalf {
         activate(true);
         double most = GAIN * kinetic();
         note();
+        if (!s.isDirect) {
+            approach(most);
+            end(stay);
+            return;
+        }
         double last = Double.POSITIVE_INFINITY;
         for (int round = 0; round < ROUNDS; round++) {
             if (s.rough > 0) {
@@ -225,6 +242,26 @@ public final class JointSolve extends VelocityHalf {
             position(sub.seconds, false);
             isHeld = false;
             sweeps(true);
+        }
+    }
+
+    /**
+     * One round, or two where limits and motors may let go, of a solution that is rough itself.
+     * What stays open is closed aside.
+     */
+    private void approach(double most) {
+        for (int round = 0; round < (s.isRigid ? 1 : 2); round++) {
+            keep();
+            move();
+            measure();
+            restore();
+            hold(round);
+            residuals();
+            factor(true);
+            correct();
+        }
+        if (!(kinetic() <= most + work())) {
+            release();
         }
     }
 

@@ -45,11 +45,11 @@ public final class Swing {
     /** Runs a tick. */
     public void run(SolverContext tick, SubStep sub, JointStore store, Assembly s) {
         s.keeps = JointEnergy.keeps(tick, store, s);
-        boolean isReversible = !s.isRough() && isReversible(tick.bodies, s);
+        boolean isReversible = s.isDirect && !s.isRough() && isReversible(tick.bodies, s);
         solve.open(tick, sub, store, s, isReversible ? 8 * OUTER - 1 : 1);
         s.isFresh = false;
         double quick = sub.seconds * tension.quickest(tick, store, s);
-        int parts = s.isRough() ? 1 : parts(quick, isReversible ? SLOW_FIVE : SLOW);
+        int parts = isReversible ? parts(quick, SLOW_FIVE) : parts(s, quick);
         double h = sub.seconds / parts;
         for (int k = 0; k < sub.count * parts; k++) {
             s.energy = JointEnergy.kinetic(tick, s) + JointEnergy.potential(tick, s);
@@ -69,8 +69,8 @@ public final class Swing {
     }
 
     /** Steps to a sub-step of a taut assembly that touches something. */
-    static int parts(double quick) {
-        return parts(quick, SLOW);
+    static int parts(Assembly s, double quick) {
+        return s.isDirect && !s.isRough() ? parts(quick, SLOW) : 1;
     }
 
     /**
@@ -192,12 +192,12 @@ public final class Swing {
         for (int i : s.body) {
             Motion.kick(tick.bodies, tick.body, i, g[0], g[1], g[2], h);
         }
-        solve.cold();
+        solve.start();
         solve.position(h, true);
         for (int i : s.body) {
             renew(tick, i);
         }
-        solve.beginVelocity(false, true);
+        solve.beginVelocity(!s.isDirect, true);
         solve.velocity(h, true);
     }
 

@@ -115,7 +115,7 @@ abstract class VelocityHalf extends ContactCoupling {
                 }
             }
             first = Math.max(first, worst);
-            if (!changed && (worst <= 1e-14 * first || round > 2)) {
+            if (!changed && (worst <= 1e-14 * first || round > (s.isDirect ? 2 : 0))) {
                 return;
             }
             factor(false);

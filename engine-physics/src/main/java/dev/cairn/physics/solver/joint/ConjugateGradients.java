@@ -1,0 +1,227 @@
+package dev.cairn.physics.solver.joint;
+
+import java.util.Arrays;
+
+/**
+ * The linear system of an assembly that is too dense for factors, solved by conjugate gradients:
+ *
+ * <pre>
+ * (J J^T + E) l = -b,   du = J^T l
+ * </pre>
+ *
+ * <p>in velocities that are scaled so that the mass matrix is 1. What each joint's own rows do to
+ * each other is inverted beforehand (M. Hestenes, E. Stiefel 1952, with blocks of the diagonal). A
+ * few rounds leave an error, and that only takes energy away: where b is the speed of the rows,
+ * each round goes to the least energy of motion that its directions reach.
+ *
+ * <p>Sums run in the order of joints, so bits do not depend on who solves. A round costs one pass
+ * over the rows. Allocates when it is made.
+ */
+final class ConjugateGradients implements AssemblySystem {
+    private static final int BODY = BlockFactors.BODY;
+    private static final int SIDES = JointMath.JACOBIAN;
+
+    /** Most rounds, and the share of the error at which they end. */
+    private static final int ROUNDS = 8;
+
+    private static final double NEAR = 1e-6;
+
+    private final int[] end;
+    private final int[] firstRow;
+
+    /** By joint: where the factors of its own block begin; its rows squared each. */
+    private final int[] firstBlock;
+
+    private final double[] block;
+
+    /** Unknowns of bodies, then of rows: right-hand side, then the solution. */
+    private final double[] x;
+
+    /** By row: what is missing, the same by blocks, where to go, and what that does. */
+    private final double[] missing;
+
+    private final double[] near;
+    private final double[] way;
+    private final double[] effect;
+
+    /** By body: what the way does to velocities. */
+    private final double[] moved;
+
+    private final int rows;
+    private final int bodies;
+
+    /**
+     * Room for an assembly.
+     *
+     * @param bodies how many
+     * @param end bodies of each joint
+     * @param firstRow of each joint
+     */
+    ConjugateGradients(int bodies, int[] end, int[] firstRow) {
+        this.bodies = bodies;
+        this.end = end;
+        this.firstRow = firstRow;
+        int joints = firstRow.length - 1;
+        rows = firstRow[joints];
+        firstBlock = new int[joints + 1];
+        for (int k = 0; k < joints; k++) {
+            int n = firstRow[k + 1] - firstRow[k];
+            firstBlock[k + 1] = firstBlock[k] + n * n;
+        }
+        block = new double[firstBlock[joints]];
+        x = new double[BODY * bodies + rows];
+        missing = new double[rows];
+        near = new double[rows];
+        way = new double[rows];
+        effect = new double[rows];
+        moved = new double[BODY * bodies];
+    }
+
+    @Override
+    public int unknown(int node) {
+        return node < bodies ? BODY * node : BODY * bodies + firstRow[node - bodies];
+    }
+
+    @Override
+    public double[] x() {
+        return x;
+    }
+
+    /** Factors each joint's own block, {@code L D L^T} with the D in place. */
+    void factor(Assembly s) {
+        for (int k = 0; k + 1 < firstRow.length; k++) {
+            int n = firstRow[k + 1] - firstRow[k];
+            int at = firstBlock[k];
+            for (int r = 0; r < n; r++) {
+                for (int c = 0; c <= r; c++) {
+                    block[at + n * r + c] = own(s, firstRow[k] + r, firstRow[k] + c);
+                }
+            }
+            for (int c = 0; c < n; c++) {
+                double pivot = block[at + n * c + c];
+                for (int m = 0; m < c; m++) {
+                    double f = block[at + n * c + m];
+                    pivot -= f * f * block[at + n * m + m];
+                }
+                block[at + n * c + c] = pivot;
+                for (int r = c + 1; r < n; r++) {
+                    double g = block[at + n * r + c];
+                    for (int m = 0; m < c; m++) {
+                        double f = block[at + n * r + m] * block[at + n * c + m];
+                        g -= f * block[at + n * m + m];
+                    }
+                    block[at + n * r + c] = pivot > 0 ? g / pivot : 0;
+                }
+            }
+        }
+    }
+
+    /** What two rows of a joint do to each other. */
+    private static double own(Assembly s, int r, int c) {
+        if (!s.isActive[r] || !s.isActive[c]) {
+            return r == c ? 1 : 0;
+        }
+        double sum = r == c ? -s.pivot[r] : 0;
+        for (int i = 0; i < SIDES; i++) {
+            sum += s.scaled[SIDES * r + i] * s.scaled[SIDES * c + i];
+        }
+        return sum;
+    }
+
+    /** Solves for {@link #x}. */
+    void solve(Assembly s) {
+        Arrays.fill(x, 0, BODY * bodies, 0.0);
+        for (int r = 0; r < rows; r++) {
+            missing[r] = s.isActive[r] ? -x[BODY * bodies + r] : 0;
+            x[BODY * bodies + r] = 0;
+        }
+        double size = approach();
+        System.arraycopy(near, 0, way, 0, rows);
+        double goal = NEAR * size;
+        for (int round = 0; round < ROUNDS && size > goal; round++) {
+            double bend = apply(s);
+            if (!(bend > 0)) {
+                break;
+            }
+            double step = size / bend;
+            for (int i = 0; i < BODY * bodies; i++) {
+                x[i] += step * moved[i];
+            }
+            for (int r = 0; r < rows; r++) {
+                x[BODY * bodies + r] += step * way[r];
+                missing[r] -= step * effect[r];
+            }
+            double next = approach();
+            double turn = next / size;
+            for (int r = 0; r < rows; r++) {
+                way[r] = near[r] + turn * way[r];
+            }
+            size = next;
+        }
+    }
+
+    /** What each joint alone would do about what is missing; its size. */
+    private double approach() {
+        double size = 0;
+        for (int k = 0; k + 1 < firstRow.length; k++) {
+            int n = firstRow[k + 1] - firstRow[k];
+            int at = firstBlock[k];
+            int o = firstRow[k];
+            for (int r = 0; r < n; r++) {
+                double g = missing[o + r];
+                for (int c = 0; c < r; c++) {
+                    g -= block[at + n * r + c] * near[o + c];
+                }
+                near[o + r] = g;
+            }
+            for (int r = n - 1; r >= 0; r--) {
+                double pivot = block[at + n * r + r];
+                double g = pivot > 0 ? near[o + r] / pivot : 0;
+                for (int c = r + 1; c < n; c++) {
+                    g -= block[at + n * c + r] * near[o + c];
+                }
+                near[o + r] = g;
+                size += g * missing[o + r];
+            }
+        }
+        return size;
+    }
+
+    /** What the way does; its share in the energy. */
+    private double apply(Assembly s) {
+        double[] j = s.scaled;
+        Arrays.fill(moved, 0.0);
+        for (int k = 0; k + 1 < firstRow.length; k++) {
+            int a = BODY * end[2 * k];
+            int b = BODY * end[2 * k + 1];
+            for (int r = firstRow[k]; r < firstRow[k + 1]; r++) {
+                double l = s.isActive[r] ? way[r] : 0;
+                int o = SIDES * r;
+                for (int c = 0; c < BODY && a >= 0; c++) {
+                    moved[a + c] -= l * j[o + c];
+                }
+                for (int c = 0; c < BODY && b >= 0; c++) {
+                    moved[b + c] += l * j[o + BODY + c];
+                }
+            }
+        }
+        double sum = 0;
+        for (int k = 0; k + 1 < firstRow.length; k++) {
+            int a = BODY * end[2 * k];
+            int b = BODY * end[2 * k + 1];
+            for (int r = firstRow[k]; r < firstRow[k + 1]; r++) {
+                double v = 0;
+                int o = SIDES * r;
+                for (int c = 0; c < BODY && a >= 0; c++) {
+                    v -= moved[a + c] * j[o + c];
+                }
+                for (int c = 0; c < BODY && b >= 0; c++) {
+                    v += moved[b + c] * j[o + BODY + c];
+                }
+                effect[r] = s.isActive[r] ? v - s.pivot[r] * way[r] : 0;
+                sum += effect[r] * way[r];
+            }
+        }
+        return sum;
+    }
+}
