@@ -185,7 +185,7 @@ abstract class ContactCoupling extends GapClosing {
     private void couple(double[] d, int lanes) {
         BlockFactors f = s.factors;
         for (int q = 0; q < points; q++) {
-            Arrays.fill(f.x, 0.0);
+            Arrays.fill(f.x(), 0.0);
             load(d, lanes, q, 1);
             f.solve();
             for (int p = 0; p < points; p++) {
@@ -196,7 +196,7 @@ abstract class ContactCoupling extends GapClosing {
 
     /** Adds an impulse at a point to the right-hand side. */
     private void load(double[] d, int lanes, int p, double impulse) {
-        double[] x = s.factors.x;
+        double[] x = s.factors.x();
         int u = s.factors.unknown(node[p]);
         int arm = arm(p, lanes);
         double l = link[p] < 0 ? -impulse : impulse;
@@ -209,7 +209,7 @@ abstract class ContactCoupling extends GapClosing {
 
     /** What a point feels of the solution, m/s. */
     private double felt(double[] d, int lanes, int p) {
-        double[] x = s.factors.x;
+        double[] x = s.factors.x();
         int u = s.factors.unknown(node[p]);
         int arm = arm(p, lanes);
         double root = Math.sqrt(tick.body.state[Math.abs(link[p]) + SolverBodies.MASS]);
@@ -278,7 +278,7 @@ abstract class ContactCoupling extends GapClosing {
     private void apply(double[] d, int lanes, boolean isLast) {
         BlockFactors f = s.factors;
         double[] v = tick.body.state;
-        Arrays.fill(f.x, 0.0);
+        Arrays.fill(f.x(), 0.0);
         s.gives = true;
         for (int p = 0; p < points; p++) {
             double l = change[p];
