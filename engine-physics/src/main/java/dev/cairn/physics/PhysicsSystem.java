@@ -154,7 +154,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         table.roster.refreshLists();
         profile.end(StepStage.ROSTER);
         assert StageCheck.awake(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
-        table.roster.beginMotion(tick.stepSeconds());
+        table.roster.beginMotion(tick.stepSeconds(), gravity());
         moveBounds(tick);
         assert StageCheck.boxes(
                 table.bodies,

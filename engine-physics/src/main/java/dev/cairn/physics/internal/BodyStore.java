@@ -49,6 +49,15 @@ public final class BodyStore extends Poses implements Stateful {
      */
     public double[] ramp = {};
 
+    /**
+     * Of kinematic bodies: whether their velocity is another one than in the tick before, or
+     * changes within this one or did within that; others' is not defined.
+     */
+    public boolean[] surges = {};
+
+    /** Whether any kinematic body does. */
+    public boolean surging;
+
     /** How many kinematic bodies move in this tick. */
     public int driven;
 

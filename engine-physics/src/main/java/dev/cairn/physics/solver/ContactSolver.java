@@ -18,6 +18,7 @@ import dev.cairn.physics.solver.kernel.RowSweeps;
 import dev.cairn.physics.solver.kernel.StoreRow;
 import dev.cairn.physics.solver.kernel.Sweeps;
 import dev.cairn.physics.solver.load.LoadSweep;
+import dev.cairn.physics.solver.load.Riders;
 import dev.cairn.physics.solver.load.StaticStart;
 import dev.cairn.physics.solver.load.Unloading;
 import dev.cairn.physics.solver.row.ConstraintKind;
@@ -81,6 +82,7 @@ public final class ContactSolver {
     private final LoadSweep loads = new LoadSweep();
     private final Unloading unloading = new Unloading();
     private final StaticStart start = new StaticStart();
+    private final Riders riders = new Riders();
     private final DirectIslands direct = new DirectIslands();
 
     private final BlockJob begin = this::begin;
@@ -139,6 +141,7 @@ public final class ContactSolver {
                             collector.bouncers,
                             collector.sides,
                             start,
+                            riders,
                             direct,
                             assemblies);
             lockstep[k] = new Lockstep(passes[k], colouring, batches, narrow[k], k);
@@ -220,7 +223,7 @@ public final class ContactSolver {
             findTurning();
             for (kind = Batches.FLOATS; kind <= Batches.DOUBLES; kind++) {
                 choose();
-                lockstep[kind].run(sub, chosen[kind], settles, benches, jobs);
+                lockstep[kind].run(sub, chosen[kind], settles, riders.found, benches, jobs);
                 jobs.run(batch, batches.end(kind) - batches.alone(kind));
             }
         }
@@ -266,6 +269,7 @@ public final class ContactSolver {
                     settings.count(Tunable.START_SWEEPS));
             settles |= start.found;
         }
+        findRiders();
         t.loaded =
                 (settings.get(Tunable.LOAD_INERTIA) > 0
                                 || settings.count(Tunable.UNLOAD_SWEEPS) > 0
@@ -293,6 +297,22 @@ public final class ContactSolver {
             for (Workbench bench : benches) {
                 bench.direct.reserve(direct);
             }
+        }
+    }
+
+    /** An uneven tick scales all impulses, and takes riders as they are. */
+    private void findRiders() {
+        SolverContext t = tick;
+        double weight = t.weight();
+        riders.found = false;
+        if (t.impulseScale == 1 && weight > 0) {
+            riders.seek(
+                    t.bodies,
+                    t.contacts,
+                    list,
+                    STILL * weight * t.step + weight * t.subStep,
+                    weight * t.subStep,
+                    t.settings.count(Tunable.START_SWEEPS));
         }
     }
 
@@ -379,6 +399,9 @@ public final class ContactSolver {
             p.kick(sub, k, head, tail, own);
             if (settles && k == 0) {
                 p.settle(sub, from, to, own);
+            }
+            if (riders.found) {
+                p.ride(sub, k, from, to, own);
             }
             p.beginJoints(sub, k, firstJoined, endJoined, own);
             for (int c = first; c < last; c++) {

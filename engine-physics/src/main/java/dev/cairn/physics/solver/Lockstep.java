@@ -66,6 +66,7 @@ final class Lockstep {
     private Workbench[] benches = {};
     private boolean renews;
     private boolean settles;
+    private boolean rides;
     private int domains;
 
     /**
@@ -123,13 +124,21 @@ final class Lockstep {
      * @param pace its sub-steps
      * @param chosen sweeps of this tick
      * @param settles whether warm starts are corrected first, see {@link Passes#settle}
+     * @param rides whether some rows are of riders, see {@link Passes#ride}
      * @param benches by worker
      */
-    void run(SubStep pace, Sweeps chosen, boolean settles, Workbench[] benches, Jobs jobs) {
+    void run(
+            SubStep pace,
+            Sweeps chosen,
+            boolean settles,
+            boolean rides,
+            Workbench[] benches,
+            Jobs jobs) {
         this.pace = pace;
         this.chosen = chosen;
         this.benches = benches;
         this.settles = settles;
+        this.rides = rides;
         base = batches.lockstep(kind);
         domains = batches.alone(kind) - base - 1;
         if (isEmpty()) {
@@ -203,7 +212,7 @@ final class Lockstep {
     /** Finds whether the next sub-step begins with work on all rows. */
     private void look() {
         meets = balls || (bounces && passes.isFast(firstBody(), endBody()));
-        apart = meets || joined > 0 || (settles && substep == 0);
+        apart = meets || joined > 0 || rides || (settles && substep == 0);
     }
 
     private int firstBody() {
@@ -223,6 +232,9 @@ final class Lockstep {
         jobs.run(kick, bodyBlocks);
         if (settles && substep == 0) {
             p.settle(pace, firstPlace(-1), endPlace(domains - 1), benches[0]);
+        }
+        if (rides) {
+            p.ride(pace, substep, firstPlace(-1), endPlace(domains - 1), benches[0]);
         }
         jobs.run(beginJoints, joined);
         jobs.run(biasWithin, domains);

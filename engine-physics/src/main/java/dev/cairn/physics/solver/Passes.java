@@ -18,6 +18,7 @@ import dev.cairn.physics.solver.kernel.ScalarPasses;
 import dev.cairn.physics.solver.kernel.ScalarSweep;
 import dev.cairn.physics.solver.kernel.SingleScalarSweep;
 import dev.cairn.physics.solver.kernel.Sweeps;
+import dev.cairn.physics.solver.load.Riders;
 import dev.cairn.physics.solver.load.SingleStartSweep;
 import dev.cairn.physics.solver.load.StartPass;
 import dev.cairn.physics.solver.load.StartSweep;
@@ -49,6 +50,7 @@ final class Passes {
 
     private final StartPass starts;
     private final StaticStart start;
+    private final Riders riders;
     final DirectIslands direct;
     final Bouncers bouncers;
     final Assemblies assemblies;
@@ -60,6 +62,7 @@ final class Passes {
      * @param bouncers the contacts with restitution
      * @param sides kinematic bodies that move
      * @param start the islands that begin at rest
+     * @param riders those on what speeds up
      * @param direct the islands that are solved directly
      * @param assemblies what hangs together by joints
      */
@@ -69,6 +72,7 @@ final class Passes {
             Bouncers bouncers,
             DrivenSides sides,
             StaticStart start,
+            Riders riders,
             DirectIslands direct,
             Assemblies assemblies) {
         this.assemblies = assemblies;
@@ -78,6 +82,7 @@ final class Passes {
         this.rows = rows;
         body = tick.body;
         this.start = start;
+        this.riders = riders;
         this.direct = direct;
         one = rows.isSingle ? new SingleScalarSweep() : new ScalarSweep();
         starts = rows.isSingle ? new SingleStartSweep() : new StartSweep();
@@ -102,7 +107,7 @@ final class Passes {
             renewal.turnAlways(b, i);
         }
         body.glide[MotionRecord.STRIDE * i + MotionRecord.STRUCK] = 0;
-        body.loadBound(b, i, tick.loaded ? b.inertiaScale[i] : 1);
+        body.loadBound(b, i, tick.loaded && !riders.has(i) ? b.inertiaScale[i] : 1);
         if (rows.isSingle) {
             body.round(i);
             body.roundRoot(i);
@@ -194,7 +199,7 @@ final class Passes {
     /** Corrects the warm start of rows that have lost a load, or know of none yet. */
     void settle(SubStep sub, int from, int to, Workbench bench) {
         if (start.found) {
-            starts.start(rows, body, tick.contacts, sub, start, from, to, bench.scratch);
+            starts.start(rows, body, tick.contacts, sub, 0, start, from, to, bench.scratch);
             renewal.know(rows, tick.contacts, from, to);
         }
         one.settle(
@@ -205,6 +210,12 @@ final class Passes {
                 from,
                 to,
                 bench.scratch);
+    }
+
+    /** Puts what rides on what speeds up in balance with the load of a sub-step. */
+    void ride(SubStep sub, int index, int from, int to, Workbench bench) {
+        starts.start(rows, body, tick.contacts, sub, index, riders, from, to, bench.scratch);
+        renewal.know(rows, tick.contacts, from, to);
     }
 
     void bias(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {

@@ -28,8 +28,18 @@ public final class KinematicMotion {
     private byte[] state = {};
     private double[] target = {};
 
-    /** Numbers to a body of {@link #past}: velocities of the last tick and of the one before. */
-    private static final int PAST = 12;
+    /**
+     * Numbers to a body of {@link #past}: mean velocities of the last tick and of the one before,
+     * and the velocity at the end of the last tick without that of turning. Not a number where a
+     * body is new.
+     */
+    private static final int PAST = 15;
+
+    /** Where in it the velocity at the end is. */
+    private static final int END = 12;
+
+    /** Change of a velocity over what gravity makes of it in a tick that is rounding. */
+    private static final double SAME = 1e-10;
 
     private double[] past = {};
 
@@ -51,7 +61,7 @@ public final class KinematicMotion {
             state = Arrays.copyOf(state, n);
             moved = Arrays.copyOf(moved, n);
             if (past.length > 0) {
-                past = Arrays.copyOf(past, PAST * n);
+                growPast(n);
             }
             if (target.length > 0) {
                 target = Arrays.copyOf(target, STRIDE * n);
@@ -75,7 +85,7 @@ public final class KinematicMotion {
             ensurePast();
             past = s.array("past", past, PAST * slots);
         } else if (s.isRestoring()) {
-            Arrays.fill(past, 0.0);
+            Arrays.fill(past, Double.NaN);
         }
         if (aims) {
             target = s.array("target", target, STRIDE * slots);
@@ -92,18 +102,25 @@ public final class KinematicMotion {
         state[slot] = NONE;
         moved[slot] = false;
         if (past.length > 0) {
-            Arrays.fill(past, PAST * slot, PAST * (slot + 1), 0.0);
+            Arrays.fill(past, PAST * slot, PAST * (slot + 1), Double.NaN);
         }
     }
 
     /** Room for what was before, from the first kinematic body on. */
     private void ensurePast() {
         if (past.length < PAST * state.length) {
-            past = Arrays.copyOf(past, PAST * state.length);
+            growPast(state.length);
         }
         if (bodies.ramp.length < BodyStore.RAMP * state.length) {
             bodies.ramp = new double[BodyStore.RAMP * state.length];
+            bodies.surges = new boolean[state.length];
         }
+    }
+
+    private void growPast(int slots) {
+        int old = past.length;
+        past = Arrays.copyOf(past, PAST * slots);
+        Arrays.fill(past, old, past.length, Double.NaN);
     }
 
     /**
@@ -160,15 +177,18 @@ public final class KinematicMotion {
      * Start of a tick: velocities of those with a target; counts those that move.
      *
      * @param stepSeconds length of the tick, s
+     * @param gravity its magnitude, m/s²
      */
-    public void begin(int[] slots, int count, double stepSeconds) {
+    public void begin(int[] slots, int count, double stepSeconds, double gravity) {
         BodyStore b = bodies;
         b.driven = b.belts;
+        b.surging = false;
         if (count > 0) {
             ensurePast();
         }
         for (int k = 0; k < count; k++) {
             int s = slots[k];
+            knowPast(s);
             if (state[s] == AIMED) {
                 int t = STRIDE * s;
                 b.velocityX[s] = target[t + 7] / stepSeconds;
@@ -185,35 +205,59 @@ public final class KinematicMotion {
             if (!b.isDriven(s)) {
                 b.driven--;
             }
-            ramp(s, stepSeconds);
+            ramp(s, stepSeconds, gravity * stepSeconds);
         }
         beforeLast = last;
         last = stepSeconds;
     }
 
+    /** A body that is new has always moved as it does. */
+    private void knowPast(int slot) {
+        int p = PAST * slot;
+        if (!Double.isNaN(past[p])) {
+            return;
+        }
+        BodyStore b = bodies;
+        past[p] = b.velocityX[slot];
+        past[p + 1] = b.velocityY[slot];
+        past[p + 2] = b.velocityZ[slot];
+        past[p + 3] = b.angularVelocityX[slot];
+        past[p + 4] = b.angularVelocityY[slot];
+        past[p + 5] = b.angularVelocityZ[slot];
+        System.arraycopy(past, p, past, p + 6, 6);
+        System.arraycopy(past, p, past, p + END, 3);
+    }
+
     /**
-     * How the velocity changes within the tick. What is known are the mean velocities of this tick
-     * and of those before; a line through them that does not go beyond any has the smaller of the
-     * two slopes, and none where they differ in sign (minmod; P. Roe 1986). So what speeds up
+     * How the velocity changes within the tick. What is known are the mean velocities u of this
+     * tick and of those before, and the velocity e at the end of the last. Of a target, where a
+     * tick changes the velocity by less than gravity would: a body that stood goes on from there,
+     * by 2 u; else the smaller of the slopes u - u' and 2 (u - e). Of a velocity that is told, or
+     * that changes by more, a line through the means that does not go beyond any: the smaller of u
+     * - u' and u' - u''. None where two differ in sign (minmod; P. Roe 1986). So what speeds up
      * evenly does so within the tick too, and a velocity that jumps, jumps.
      */
-    private void ramp(int slot, double stepSeconds) {
+    private void ramp(int slot, double stepSeconds, double soft) {
         BodyStore b = bodies;
         int p = PAST * slot;
         int r = BodyStore.RAMP * slot;
-        double first = last > 0 ? 2 * stepSeconds / (stepSeconds + last) : 0;
+        double ofLast = last > 0 ? last : stepSeconds;
+        double first = 2 * stepSeconds / (stepSeconds + ofLast);
         double second = beforeLast > 0 ? 2 * stepSeconds / (last + beforeLast) : 0;
-        double x = slope(p, b.velocityX[slot], first, second);
-        double y = slope(p + 1, b.velocityY[slot], first, second);
-        double z = slope(p + 2, b.velocityZ[slot], first, second);
+        boolean stood = past[p] == 0 && past[p + 1] == 0 && past[p + 2] == 0;
+        double gentle = state[slot] == AIMED ? soft : 0;
+        double x = slope(p, b.velocityX[slot], first, second, stood, gentle);
+        double y = slope(p + 1, b.velocityY[slot], first, second, stood, gentle);
+        double z = slope(p + 2, b.velocityZ[slot], first, second, stood, gentle);
+        boolean surges = surges(p, b.velocityX[slot], b.velocityY[slot], b.velocityZ[slot], soft);
         double u = b.angularVelocityX[slot];
         double v = b.angularVelocityY[slot];
         double w = b.angularVelocityZ[slot];
         // of a turn the change along the axis counts: dw.w/w²
         double along =
-                u * slope(p + 3, u, first, second)
-                        + v * slope(p + 4, v, first, second)
-                        + w * slope(p + 5, w, first, second);
+                u * slope(p + 3, u, first, second, false, 0)
+                        + v * slope(p + 4, v, first, second, false, 0)
+                        + w * slope(p + 5, w, first, second, false, 0);
         double square = u * u + v * v + w * w;
         // what stands still in this tick is not moved to and fro
         boolean moves =
@@ -225,15 +269,47 @@ public final class KinematicMotion {
         b.ramp[r + 1] = moves ? y : 0;
         b.ramp[r + 2] = moves ? z : 0;
         b.ramp[r + 3] = square > 0 ? along / square : 0;
+        past[p + END] = b.velocityX[slot] + 0.5 * b.ramp[r];
+        past[p + END + 1] = b.velocityY[slot] + 0.5 * b.ramp[r + 1];
+        past[p + END + 2] = b.velocityZ[slot] + 0.5 * b.ramp[r + 2];
+        b.surges[slot] = surges;
+        b.surging |= surges;
+        for (int c = 0; c < 6; c++) {
+            past[p + 6 + c] = past[p + c];
+        }
+        past[p] = b.velocityX[slot];
+        past[p + 1] = b.velocityY[slot];
+        past[p + 2] = b.velocityZ[slot];
+        past[p + 3] = u;
+        past[p + 4] = v;
+        past[p + 5] = w;
     }
 
-    /** Slope by tick of one component; what is known moves on by a tick. */
-    private double slope(int p, double now, double first, double second) {
+    /** Whether the velocity of this tick, or that of the last, is another one than before. */
+    private boolean surges(int p, double vx, double vy, double vz, double soft) {
+        double now =
+                Math.max(
+                        Math.abs(vx - past[p]),
+                        Math.max(Math.abs(vy - past[p + 1]), Math.abs(vz - past[p + 2])));
+        double then = 0;
+        for (int c = p; c < p + 3; c++) {
+            then = Math.max(then, Math.abs(past[c] - past[c + 6]));
+        }
+        return Math.max(now, then) > SAME * soft;
+    }
+
+    /** Slope by tick of one component. */
+    private double slope(
+            int p, double now, double first, double second, boolean stood, double gentle) {
         double before = past[p];
         double a = (now - before) * first;
         double c = (before - past[p + 6]) * second;
-        past[p + 6] = before;
-        past[p] = now;
+        if (stood && gentle > 0) {
+            return 2 * Math.abs(now) <= gentle ? 2 * now : 0;
+        }
+        if (Math.abs(a) <= gentle) {
+            c = 2 * (now - past[p + END]);
+        }
         if (!(a * c > 0)) {
             return 0;
         }

@@ -383,8 +383,8 @@ public final class Roster implements Stateful {
     }
 
     /** Kinematic bodies start to move, go on, or stop. */
-    public void beginMotion(double stepSeconds) {
-        motion.begin(kinematic, kinematicCount, stepSeconds);
+    public void beginMotion(double stepSeconds, double gravity) {
+        motion.begin(kinematic, kinematicCount, stepSeconds, gravity);
         for (int i = 0; i < kinematicCount; i++) {
             boolean changes = motion.takeChange(kinematic[i]);
             if (bodies.isDriven(kinematic[i])) {

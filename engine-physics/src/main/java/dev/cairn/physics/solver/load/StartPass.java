@@ -9,14 +9,17 @@ import dev.cairn.physics.solver.row.SubStep;
 /** What is done to the rows of islands that start at rest. */
 public interface StartPass {
     /**
-     * Hard normals and friction of the rows that are marked with {@link StaticStart#MARK}, over and
-     * over until they agree; what they then hold is in the offsets of their points.
+     * Hard normals and friction of the rows that are swept, over and over until they agree; what
+     * they then hold is in the offsets of their points.
+     *
+     * @param index of the sub-step
      */
     void start(
             ConstraintRows rows,
             SolverBodies bodies,
             ContactStore contacts,
             SubStep sub,
+            int index,
             StaticStart islands,
             int from,
             int to,

@@ -22,21 +22,29 @@ public final class StartSweep implements StartPass {
             SolverBodies bodies,
             ContactStore contacts,
             SubStep sub,
+            int index,
             StaticStart islands,
             int from,
             int to,
             Scratch scratch) {
         double[] body = bodies.state;
+        double at = (index + 0.5) / sub.count - 0.5;
+        islands.open(rows, bodies, from, to);
+        for (int j = from; j < to; j++) {
+            if (islands.has(rows, j)) {
+                keep(rows, islands, j);
+            }
+        }
         boolean again = true;
         for (int sweep = 0; again; sweep++) {
             for (int j = from; j < to; j++) {
-                if (rows.settleMark[j] == StaticStart.MARK) {
+                if (islands.has(rows, j)) {
                     again(rows, body, sub, islands, j, scratch.doubles);
                 }
             }
             again = false;
             for (int j = from; j < to; j++) {
-                if (rows.settleMark[j] == StaticStart.MARK) {
+                if (islands.has(rows, j)) {
                     again |= islands.goesOn(root(rows, body, islands, j));
                 }
             }
@@ -45,22 +53,23 @@ public final class StartSweep implements StartPass {
             }
         }
         for (int j = from; j < to; j++) {
-            if (rows.settleMark[j] == StaticStart.MARK) {
+            if (islands.has(rows, j)) {
                 int l = j * LINK;
                 int root = root(rows, body, islands, j);
-                islands.moves(root, speed(body, rows.link[l], islands, root));
-                islands.moves(root, speed(body, rows.link[l + 1], islands, root));
+                islands.moves(root, speed(body, rows.link[l], islands, root, at));
+                islands.moves(root, speed(body, rows.link[l + 1], islands, root, at));
             }
         }
         for (int j = from; j < to; j++) {
-            if (rows.settleMark[j] != StaticStart.MARK) {
+            if (!islands.has(rows, j)) {
                 continue;
             }
-            rows.settleMark[j] = 0;
-            if (islands.isBalanced(root(rows, body, islands, j))) {
-                preload(rows, body, contacts, sub, j);
+            boolean isBalanced = islands.isBalanced(root(rows, body, islands, j));
+            islands.leave(rows, j, isBalanced);
+            if (isBalanced) {
+                preload(rows, body, contacts, sub, islands, j);
             } else {
-                forget(rows, bodies, j);
+                forget(rows, bodies, islands, j);
             }
         }
     }
@@ -74,8 +83,7 @@ public final class StartSweep implements StartPass {
         boolean leaps = StaticStart.leaps(sweep);
         for (int pass = leaps ? 0 : 1; pass < 2; pass++) {
             for (int j = from; j < to; j++) {
-                int root =
-                        rows.settleMark[j] == StaticStart.MARK ? root(rows, body, islands, j) : -1;
+                int root = islands.has(rows, j) ? root(rows, body, islands, j) : -1;
                 if (root < 0 || !islands.isOpen(root)) {
                     continue;
                 }
@@ -130,30 +138,48 @@ public final class StartSweep implements StartPass {
     }
 
     /** Square of the speed that a body has left, its turn weighed in: {@code v² + w'²/m}. */
-    private static double speed(double[] body, int o, StaticStart islands, int root) {
+    private static double speed(double[] body, int o, StaticStart islands, int root, double at) {
         if (body[o + MASS] == 0) {
             return 0;
         }
-        double x = body[o] - /*(float)*/ islands.frame(root, 0);
-        double y = body[o + 1] - /*(float)*/ islands.frame(root, 1);
-        double z = body[o + 2] - /*(float)*/ islands.frame(root, 2);
+        double x = body[o] - /*(float)*/ islands.frame(root, 0, at);
+        double y = body[o + 1] - /*(float)*/ islands.frame(root, 1, at);
+        double z = body[o + 2] - /*(float)*/ islands.frame(root, 2, at);
         double v = x * x + y * y + z * z;
         double w =
                 body[o + 3] * body[o + 3] + body[o + 4] * body[o + 4] + body[o + 5] * body[o + 5];
         return v + w * body[o + MASS];
     }
 
-    /** Row and bodies as they were before the sweeps. */
-    private static void forget(ConstraintRows rows, SolverBodies bodies, int j) {
+    private static void keep(ConstraintRows rows, StaticStart islands, int j) {
         double[] d = rows.doubles;
         int lanes = rows.lanes;
         int o = rows.base(j);
+        int source = rows.link[j * LINK + ConstraintRows.SOURCE];
         for (int p = 0; p < rows.link[j * LINK + ConstraintRows.COUNT]; p++) {
             int q = o + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * lanes;
-            d[q + ConstraintRows.IMPULSE * lanes] = 0;
+            islands.keep(source, p, d[q + ConstraintRows.IMPULSE * lanes]);
         }
         for (int f = 0; f < 3; f++) {
-            d[o + (ConstraintRows.LAMBDA + f) * lanes] = 0;
+            double impulse = d[o + (ConstraintRows.LAMBDA + f) * lanes];
+            islands.keep(source, ContactStore.POINTS + f, impulse);
+        }
+    }
+
+    /** Row and bodies as they were before the sweeps. */
+    private static void forget(
+            ConstraintRows rows, SolverBodies bodies, StaticStart islands, int j) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        int source = rows.link[j * LINK + ConstraintRows.SOURCE];
+        int o = rows.base(j);
+        for (int p = 0; p < rows.link[j * LINK + ConstraintRows.COUNT]; p++) {
+            int q = o + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * lanes;
+            d[q + ConstraintRows.IMPULSE * lanes] = /*(float)*/ islands.before(source, p);
+        }
+        for (int f = 0; f < 3; f++) {
+            d[o + (ConstraintRows.LAMBDA + f) * lanes] =
+                    /*(float)*/ islands.before(source, ContactStore.POINTS + f);
         }
         double[] body = bodies.state;
         for (int side = 0; side < 2; side++) {
@@ -202,9 +228,14 @@ public final class StartSweep implements StartPass {
         islands.note(root, change, RowArithmetic.largest(d, o, lanes, n));
     }
 
-    /** The springs of the points hold what presses on them: {@code offset = impulse/k}. */
+    /** The springs of the points hold what presses on them more: {@code offset = impulse/k}. */
     private static void preload(
-            ConstraintRows rows, double[] body, ContactStore contacts, SubStep sub, int j) {
+            ConstraintRows rows,
+            double[] body,
+            ContactStore contacts,
+            SubStep sub,
+            StaticStart islands,
+            int j) {
         double[] d = rows.doubles;
         int lanes = rows.lanes;
         int l = j * LINK;
@@ -215,11 +246,14 @@ public final class StartSweep implements StartPass {
             int q = o + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * lanes;
             double k = d[q + ConstraintRows.MASS * lanes] * stiffness;
             double impulse = d[q + ConstraintRows.IMPULSE * lanes];
-            double offset = k > 0 ? impulse / k : 0;
+            int source = rows.link[l + ConstraintRows.SOURCE];
+            double more = impulse - /*(float)*/ islands.before(source, p);
+            double offset = k > 0 ? more / k : 0;
             if (k > 0 && sub.offsetGain > 0) {
                 // of the sub-step before, as all that contacts know
-                int point = ContactStore.POINTS * rows.link[l + ConstraintRows.SOURCE] + p;
-                contacts.preload[point] = impulse / sub.fillScale;
+                int point = ContactStore.POINTS * source + p;
+                double load = /*(float)*/ (islands.knew(contacts, point) + more);
+                contacts.preload[point] = load > 0 ? load / sub.fillScale : 0;
             }
             d[o + (ConstraintRows.GAP + p) * lanes] -= offset;
             d[q + ConstraintRows.SEPARATION * lanes] -= offset;

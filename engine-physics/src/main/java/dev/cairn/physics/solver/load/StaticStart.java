@@ -4,6 +4,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.EdgeList;
 
 import java.util.Arrays;
@@ -31,12 +32,12 @@ import java.util.Arrays;
  * island is swept by the worker that has its batch. Allocates only when a store has grown. Source:
  * own study.
  */
-public final class StaticStart {
+public class StaticStart {
     /** Mark of a row, beside 1 for one that has lost a load. */
     static final byte MARK = 2;
 
     /** Change of an impulse over the largest one of the island at which it agrees. */
-    private static final double AGREES = 1e-12;
+    double agrees = 1e-12;
 
     /** Contacts of an island times sweeps, at most: up to a tenth of a second, once. */
     private static final int VISITS = 1 << 17;
@@ -45,7 +46,7 @@ public final class StaticStart {
     private static final int ALL_VISITS = 1 << 20;
 
     /** A larger island, which could be swept less often, starts as it is. */
-    private static final int FEWEST = 32;
+    static final int FEWEST = 32;
 
     /** Sweeps from leap to leap. */
     private static final int EVERY = 4;
@@ -54,45 +55,45 @@ public final class StaticStart {
     private static final double LONGEST = 100;
 
     /** To a contact: four of points, two of friction and a twist. */
-    private static final int IMPULSES = 7;
+    static final int IMPULSES = 7;
 
     /** Speed over what gravity adds to it in a sub-step, up to which an island is in balance. */
-    private static final double BALANCED = 1e-4;
+    static final double BALANCED = 1e-4;
 
     private final Islands islands = new Islands();
 
     /** Dynamic bodies, and by slot: the smallest slot of the island. */
-    private int[] slots = {};
+    int[] slots = {};
 
-    private int[] island = {};
+    int[] island = {};
 
     /** By smallest slot of an island, as what follows. */
-    private int[] sweepsLeft = {};
+    int[] sweepsLeft = {};
 
-    private double[] change = {};
-    private double[] largest = {};
-    private double[] before = {};
+    double[] change = {};
+    double[] largest = {};
+    double[] before = {};
 
     /** By smallest slot of an island: velocity of all that carries it, and whether any does. */
-    private double[] frame = {};
+    double[] frame = {};
 
-    private boolean[] framed = {};
+    boolean[] framed = {};
 
     private double[] rate = {};
     private double[] reach = {};
 
     /** By slot: the last leap that the body took part in, and its velocity before. */
-    private int[] taken = {};
+    int[] taken = {};
 
     private double[] oldSpeed = {};
 
     /** By contact: impulses before a leap. */
     private double[] oldImpulse = {};
 
-    private boolean[] swept = {};
+    boolean[] swept = {};
 
     /** Square of the speed at which an island is out of balance. */
-    private double loose;
+    double loose;
 
     /** Whether there is such an island. */
     public boolean found;
@@ -121,7 +122,10 @@ public final class StaticStart {
             int root = island[list.mover(m)];
             sweepsLeft[root]++;
             // for now: whether the island is no start
-            swept[root] |= m >= list.contacts || !joinsFrame(b, c, list, m, root);
+            swept[root] |=
+                    m >= list.contacts
+                            || surges(b, c, list.source[m])
+                            || !joinsFrame(b, c, list, m, root);
         }
         for (int m = 0; m < list.contacts; m++) {
             int root = island[list.mover(m)];
@@ -164,7 +168,7 @@ public final class StaticStart {
         return false;
     }
 
-    private void gather(BodyStore b, EdgeList list) {
+    void gather(BodyStore b, EdgeList list) {
         int count = 0;
         for (int i = 0; i < b.slotCount; i++) {
             if (b.kind[i] == BodyStore.DYNAMIC) {
@@ -183,8 +187,17 @@ public final class StaticStart {
         }
     }
 
+    /**
+     * Whether what a contact is with is kinematic and speeds up: that is {@link Riders}' matter.
+     */
+    static boolean surges(BodyStore b, ContactStore c, int row) {
+        return b.surging
+                && ((b.kind[c.bodyA[row]] == BodyStore.KINEMATIC && b.surges[c.bodyA[row]])
+                        || (b.kind[c.bodyB[row]] == BodyStore.KINEMATIC && b.surges[c.bodyB[row]]));
+    }
+
     /** Notes how fast what carries moves; false if it turns, or moves unlike another one. */
-    private boolean joinsFrame(BodyStore b, ContactStore c, EdgeList list, int m, int root) {
+    boolean joinsFrame(BodyStore b, ContactStore c, EdgeList list, int m, int root) {
         if (list.isBetweenMovers(m)) {
             return true;
         }
@@ -228,7 +241,7 @@ public final class StaticStart {
                 && SolverBodies.norm(x, y, z) + turn * b.outerRadius[i] < still;
     }
 
-    private void ensureCapacity(BodyStore b, ContactStore c) {
+    void ensureCapacity(BodyStore b, ContactStore c) {
         if (sweepsLeft.length < b.slotCount) {
             int n = b.kind.length;
             slots = new int[n];
@@ -260,9 +273,39 @@ public final class StaticStart {
         return island[SolverBodies.slot(offset)];
     }
 
-    /** Component of the velocity at which an island is at rest, m/s. */
-    double frame(int root, int k) {
+    /**
+     * Component of the velocity at which an island is at rest, m/s.
+     *
+     * @param at middle of the sub-step in the tick, -1/2 to 1/2
+     */
+    double frame(int root, int k, double at) {
         return frame[3 * root + k];
+    }
+
+    /** Whether a row is swept. */
+    boolean has(ConstraintRows rows, int place) {
+        return rows.settleMark[place] == MARK;
+    }
+
+    /** Before the sweeps of a sub-step over the rows from a place to another one. */
+    void open(ConstraintRows rows, SolverBodies bodies, int from, int to) {}
+
+    /** Remembers an impulse before the sweeps. */
+    void keep(int contact, int k, double impulse) {}
+
+    /** The sweeps have ended, with or without a balance. */
+    void leave(ConstraintRows rows, int place, boolean isBalanced) {
+        rows.settleMark[place] = 0;
+    }
+
+    /** An impulse before the sweeps. */
+    double before(int contact, int k) {
+        return 0;
+    }
+
+    /** The load that the offset of a point stood for before the sweeps. */
+    double knew(ContactStore c, int point) {
+        return 0;
     }
 
     boolean isOpen(int root) {
@@ -280,8 +323,8 @@ public final class StaticStart {
     boolean goesOn(int root) {
         if (swept[root]) {
             swept[root] = false;
-            boolean agrees = !(change[root] > AGREES * largest[root]);
-            sweepsLeft[root] = agrees ? 0 : sweepsLeft[root] - 1;
+            boolean isSame = !(change[root] > agrees * largest[root]);
+            sweepsLeft[root] = isSame ? 0 : sweepsLeft[root] - 1;
             rate[root] = change[root] / before[root];
             before[root] = change[root];
             change[root] = 0;
