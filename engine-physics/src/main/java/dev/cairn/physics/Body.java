@@ -208,6 +208,18 @@ public final class Body {
     }
 
     /**
+     * Turns the shape's frame about an axis through its origin.
+     *
+     * @param axis world, any length above 0
+     * @param radians angle by the right-hand rule, finite
+     * @return this
+     */
+    public Body rotationAbout(Vector3dc axis, double radians) {
+        Checks.notNull("axis", axis);
+        return rotationAbout(axis.x(), axis.y(), axis.z(), radians);
+    }
+
+    /**
      * Sets friction, restitution and density; {@link Material#DEFAULT} by default.
      *
      * @param value the material
@@ -267,6 +279,17 @@ public final class Body {
     }
 
     /**
+     * States the inertia about the centre of mass.
+     *
+     * @param principal about the shape's axes, kg m², each finite, above 0
+     * @return this
+     */
+    public Body inertia(Vector3dc principal) {
+        Checks.notNull("principal", principal);
+        return inertia(principal.x(), principal.y(), principal.z());
+    }
+
+    /**
      * States the centre of mass, instead of that of the shapes filled evenly: a tumbler, a keel, a
      * loaded die. The inertia is about it: the one that is stated, or that of the shapes about
      * their own centre.
@@ -283,6 +306,17 @@ public final class Body {
                         Checks.finite("centre y", bodyY),
                         Checks.finite("centre z", bodyZ));
         return this;
+    }
+
+    /**
+     * States the centre of mass.
+     *
+     * @param body in the body's frame, m, finite
+     * @return this
+     */
+    public Body centreOfMass(Vector3dc body) {
+        Checks.notNull("body", body);
+        return centreOfMass(body.x(), body.y(), body.z());
     }
 
     /**

@@ -412,6 +412,16 @@ public final class BodyRef extends BodyState {
     }
 
     /**
+     * States the inertia about the centre of mass, see {@link Body#inertia}.
+     *
+     * @param principal about the shape's axes, kg m², each finite, above 0
+     */
+    public void setInertia(Vector3dc principal) {
+        Checks.notNull("principal", principal);
+        setInertia(principal.x(), principal.y(), principal.z());
+    }
+
+    /**
      * States the centre of mass, see {@link Body#centreOfMass}. The frame stays where it is, and
      * each point of the body keeps its velocity. Wakes the body and what it touches. Allocates.
      *
@@ -421,6 +431,16 @@ public final class BodyRef extends BodyState {
      */
     public void setCentreOfMass(double bodyX, double bodyY, double bodyZ) {
         table.changes.setCentreOfMass(changed("setCentreOfMass"), bodyX, bodyY, bodyZ);
+    }
+
+    /**
+     * States the centre of mass, see {@link Body#centreOfMass}.
+     *
+     * @param body in the body's frame, m, finite
+     */
+    public void setCentreOfMass(Vector3dc body) {
+        Checks.notNull("body", body);
+        setCentreOfMass(body.x(), body.y(), body.z());
     }
 
     /**

@@ -30,6 +30,8 @@ import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.shape.ShapeCodecs;
 import dev.cairn.physics.state.RigidBody;
 
+import org.joml.Vector3dc;
+
 import java.util.ArrayList;
 import java.util.List;
 
@@ -415,5 +417,15 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
         physics.gravityX = x;
         physics.gravityY = y;
         physics.gravityZ = z;
+    }
+
+    /**
+     * Changes the gravity, between steps.
+     *
+     * @param gravity m/s², finite
+     */
+    public void setGravity(Vector3dc gravity) {
+        Checks.notNull("gravity", gravity);
+        setGravity(gravity.x(), gravity.y(), gravity.z());
     }
 }

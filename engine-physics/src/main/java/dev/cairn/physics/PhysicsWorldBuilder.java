@@ -12,6 +12,7 @@ import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.solver.wide.Lanes;
 
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
@@ -51,6 +52,17 @@ public final class PhysicsWorldBuilder {
         gravityY = y;
         gravityZ = z;
         return this;
+    }
+
+    /**
+     * Sets the gravity.
+     *
+     * @param gravity m/s², finite
+     * @return this
+     */
+    public PhysicsWorldBuilder gravity(Vector3dc gravity) {
+        Checks.notNull("gravity", gravity);
+        return gravity(gravity.x(), gravity.y(), gravity.z());
     }
 
     /**

@@ -11,6 +11,7 @@ import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Motion;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
+import dev.cairn.physics.query.VectorCasts;
 import dev.cairn.physics.state.Roster;
 
 import org.joml.Vector3d;
@@ -32,7 +33,7 @@ import java.util.function.Predicate;
  * after a step or a teleport looks at all bodies that move, some 50 ns each; the others take
  * logarithmic time.
  */
-public final class WorldQueries {
+public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met> {
     private static final int NONE = AabbTree.NONE;
 
     private final BodyTable table;
@@ -115,6 +116,7 @@ public final class WorldQueries {
      *     distance negative
      * @throws IllegalStateException if the world is closed or a step runs
      */
+    @Override
     public @Nullable BodyRef rayCast(
             double fromX,
             double fromY,
@@ -148,6 +150,7 @@ public final class WorldQueries {
      *     distance negative, or the mover endless
      * @throws IllegalStateException if the world is closed or a step runs
      */
+    @Override
     public @Nullable BodyRef shapeCast(
             Placement moving,
             double directionX,
@@ -249,6 +252,7 @@ public final class WorldQueries {
      * @param out receives the hits, the nearest first, of equals in slot order, after what it holds
      * @return how many there are
      */
+    @Override
     public int rayCastAll(
             double fromX,
             double fromY,
@@ -283,6 +287,7 @@ public final class WorldQueries {
      * @param out receives the hits, the nearest first, of equals in slot order, after what it holds
      * @return how many there are
      */
+    @Override
     public int shapeCastAll(
             Placement moving,
             double directionX,

@@ -120,6 +120,15 @@ public final class Hand {
         body.applyTorque(spin.x, spin.y, spin.z);
     }
 
+    /**
+     * Pulls the point that is held; once before each tick. Nothing if the hand is empty.
+     *
+     * @param point where it shall be, world, m, finite
+     */
+    public void pull(Vector3dc point) {
+        pull(point.x(), point.y(), point.z());
+    }
+
     /** Lets go. Nothing if the hand is empty, or the world is closed. */
     public void release() {
         BodyRef at = anchor;

@@ -5,6 +5,7 @@ import dev.cairn.physics.internal.Curve;
 import dev.cairn.physics.internal.JointStore;
 
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 import java.util.Arrays;
 
@@ -120,6 +121,17 @@ public final class Joint extends JointKinds {
     }
 
     /**
+     * Puts the joint at a point that both bodies share.
+     *
+     * @param point world, m, finite
+     * @return this
+     */
+    public Joint at(Vector3dc point) {
+        Checks.notNull("point", point);
+        return at(point.x(), point.y(), point.z());
+    }
+
+    /**
      * Gives each body a point of its own.
      *
      * @param ax of A, world, m, finite
@@ -138,6 +150,19 @@ public final class Joint extends JointKinds {
     }
 
     /**
+     * Gives each body a point of its own.
+     *
+     * @param a of A, world, m, finite
+     * @param b of B, world, m, finite
+     * @return this
+     */
+    public Joint anchors(Vector3dc a, Vector3dc b) {
+        Checks.notNull("a", a);
+        Checks.notNull("b", b);
+        return anchors(a.x(), a.y(), a.z(), b.x(), b.y(), b.z());
+    }
+
+    /**
      * Chooses the x axis of the frames: that of a hinge or slider; (1, 0, 0) at first.
      *
      * @param ax world, any length but 0
@@ -148,6 +173,17 @@ public final class Joint extends JointKinds {
     public Joint axis(double ax, double ay, double az) {
         direction(x, "axis", ax, ay, az);
         return this;
+    }
+
+    /**
+     * Chooses the x axis of the frames.
+     *
+     * @param axis world, any length but 0
+     * @return this
+     */
+    public Joint axis(Vector3dc axis) {
+        Checks.notNull("axis", axis);
+        return axis(axis.x(), axis.y(), axis.z());
     }
 
     /**
@@ -163,6 +199,17 @@ public final class Joint extends JointKinds {
         direction(y, "second axis", ax, ay, az);
         hasSecond = true;
         return this;
+    }
+
+    /**
+     * Chooses the y axis of the frames.
+     *
+     * @param axis world, any length but 0
+     * @return this
+     */
+    public Joint secondAxis(Vector3dc axis) {
+        Checks.notNull("axis", axis);
+        return secondAxis(axis.x(), axis.y(), axis.z());
     }
 
     static void set(double[] into, String name, double px, double py, double pz) {

@@ -7,6 +7,7 @@ import dev.cairn.physics.internal.Checks;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
@@ -441,6 +442,15 @@ public final class JointRef {
         Checks.finite("y", y);
         Checks.finite("z", z);
         joints.moveTo(j, x, y, z);
+    }
+
+    /**
+     * Moves the point of A.
+     *
+     * @param point world, m, finite
+     */
+    public void moveTo(Vector3dc point) {
+        moveTo(point.x(), point.y(), point.z());
     }
 
     // Retuning ------------------------------------------------------------------------------------

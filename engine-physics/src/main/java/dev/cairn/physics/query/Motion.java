@@ -76,6 +76,16 @@ public final class Motion {
     }
 
     /**
+     * Acceleration of the pivot.
+     *
+     * @param a world, m/s², finite
+     * @return this
+     */
+    public Motion acceleration(Vector3dc a) {
+        return acceleration(a.x(), a.y(), a.z());
+    }
+
+    /**
      * Angular velocity about the pivot.
      *
      * @param x world, rad/s, finite
@@ -123,6 +133,16 @@ public final class Motion {
         pivotZ = z;
         hasPivot = true;
         return this;
+    }
+
+    /**
+     * Chooses the pivot.
+     *
+     * @param a where it is at the start, world, m, finite
+     * @return this
+     */
+    public Motion about(Vector3dc a) {
+        return about(a.x(), a.y(), a.z());
     }
 
     /**

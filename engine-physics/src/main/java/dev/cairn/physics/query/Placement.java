@@ -5,7 +5,9 @@ import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 
+import org.joml.Quaterniondc;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /**
  * A shape at a pose. Reuse one object: {@link #set} replaces all of it and allocates nothing. One
@@ -88,6 +90,30 @@ public final class Placement {
      */
     public Placement set(Shape newShape, double originX, double originY, double originZ) {
         return set(newShape, originX, originY, originZ, 0, 0, 0, 1);
+    }
+
+    /**
+     * Places a shape without turning it.
+     *
+     * @param newShape which one
+     * @param origin where the origin of its frame is, world, m, finite
+     * @return this
+     */
+    public Placement set(Shape newShape, Vector3dc origin) {
+        return set(newShape, origin.x(), origin.y(), origin.z());
+    }
+
+    /**
+     * Places a shape.
+     *
+     * @param newShape which one
+     * @param origin where the origin of its frame is, world, m, finite
+     * @param q quaternion, world from shape, of a length within 1e-6 of 1
+     * @return this
+     */
+    public Placement set(Shape newShape, Vector3dc origin, Quaterniondc q) {
+        double x0 = origin.x();
+        return set(newShape, x0, origin.y(), origin.z(), q.x(), q.y(), q.z(), q.w());
     }
 
     /**

@@ -6,6 +6,7 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.mesh.TriangleSet;
 
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -223,6 +224,46 @@ public final class ShapeQueries {
             sweeps = new Sweeps(narrowPhase, meshes());
         }
         return sweeps.meet(a, motionA, b, motionB, seconds, out);
+    }
+
+    /**
+     * Follows a ray to a shape.
+     *
+     * @param target the shape
+     * @param from where the ray starts, world, m
+     * @param direction where it goes, any length above 0
+     * @param maxDistance how far, m, at least 0
+     * @param out receives the hit; unchanged when there is none
+     * @return whether there is one
+     */
+    public boolean rayCast(
+            Placement target, Vector3dc from, Vector3dc direction, double maxDistance, Hit out) {
+        return rayCast(
+                target,
+                from.x(),
+                from.y(),
+                from.z(),
+                direction.x(),
+                direction.y(),
+                direction.z(),
+                maxDistance,
+                out);
+    }
+
+    /**
+     * Moves a shape, without turning it, to another one.
+     *
+     * @param mover the shape that moves
+     * @param direction where it goes, any length above 0
+     * @param maxDistance how far, m, at least 0
+     * @param target the shape that it meets
+     * @param out receives the hit; unchanged when there is none
+     * @return whether there is one
+     */
+    public boolean shapeCast(
+            Placement mover, Vector3dc direction, double maxDistance, Placement target, Hit out) {
+        return shapeCast(
+                mover, direction.x(), direction.y(), direction.z(), maxDistance, target, out);
     }
 
     private boolean cast(

@@ -4,6 +4,7 @@ import dev.cairn.physics.shape.polyhedron.Polyhedral;
 import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /**
  * A rectangular block around the origin of the shape frame. Its factories say in their names what
@@ -38,6 +39,16 @@ public final class Box extends Polyhedral implements Shape {
     }
 
     /**
+     * A block of twice the half extents.
+     *
+     * @param half half the width, height and depth, m, each in [1e-50, 1e50]
+     * @return the shape
+     */
+    public static Box ofHalfExtents(Vector3dc half) {
+        return ofHalfExtents(half.x(), half.y(), half.z());
+    }
+
+    /**
      * A block of {@code edgeX} by {@code edgeY} by {@code edgeZ}.
      *
      * @param edgeX the whole width, m, in [2e-50, 2e50]
@@ -48,6 +59,16 @@ public final class Box extends Polyhedral implements Shape {
      */
     public static Box ofEdges(double edgeX, double edgeY, double edgeZ) {
         return ofHalfExtents(edgeX / 2, edgeY / 2, edgeZ / 2);
+    }
+
+    /**
+     * A block of the edges.
+     *
+     * @param edges the whole width, height and depth, m, each in [2e-50, 2e50]
+     * @return the shape
+     */
+    public static Box ofEdges(Vector3dc edges) {
+        return ofEdges(edges.x(), edges.y(), edges.z());
     }
 
     /**

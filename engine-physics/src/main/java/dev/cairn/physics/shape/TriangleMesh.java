@@ -8,6 +8,8 @@ import dev.cairn.physics.shape.mesh.MeshBuilder;
 import dev.cairn.physics.shape.mesh.Meshed;
 import dev.cairn.physics.shape.mesh.TriangleSet;
 
+import org.joml.Vector3dc;
+
 import java.util.Arrays;
 import java.util.Objects;
 import java.util.function.DoubleConsumer;
@@ -270,6 +272,16 @@ public final class TriangleMesh extends Meshed implements Shape {
         }
         TriangleMesh mesh = of(moved, turned).like(this);
         return isTwoSided() ? mesh.twoSided() : mesh;
+    }
+
+    /**
+     * The same surface at another size, or mirrored.
+     *
+     * @param factors along x, y and z, each finite and not 0
+     * @return a new mesh
+     */
+    public TriangleMesh scaled(Vector3dc factors) {
+        return scaled(factors.x(), factors.y(), factors.z());
     }
 
     /**
