@@ -107,7 +107,8 @@ final class ColumnsTest {
         fields.addAll(List.of(store.getClass().getSuperclass().getDeclaredFields()));
         // lists of slots, and scratch
         fields.removeIf(field ->
-                Set.of("free", "compound", "turned", "ramp", "palette").contains(field.getName()));
+                Set.of("free", "compound", "turned", "ramp", "surges", "palette")
+                        .contains(field.getName()));
         for (Field field : fields) {
             if (field.getType().isArray() && !Modifier.isStatic(field.getModifiers())) {
                 field.setAccessible(true);
