@@ -53,14 +53,9 @@ final class Lockstep {
     private final BlockJob storeRows = this::storeRows;
     private final BlockJob directSoft = this::directSoft;
     private final BlockJob directHard = this::directHard;
-    private final BlockJob beginJoints = this::beginJoints;
     private final BlockJob fixedWithin = this::fixedWithin;
-    private final BlockJob closeJoints = this::closeJoints;
-    private final BlockJob placeJoints = this::placeJoints;
     private final BlockJob lookBack = this::lookBack;
-    private final BlockJob turnJoints = this::turnJoints;
     private final BlockJob relaxWithin = this::relaxWithin;
-    private final BlockJob stopJoints = this::stopJoints;
 
     private Sweeps chosen;
     private Workbench[] benches = {};
@@ -79,10 +74,8 @@ final class Lockstep {
 
     private boolean meets;
 
-    /** The first of the assemblies, and how many there are: with any, no passes run as one. */
-    private int firstJoined;
-
-    private int joined;
+    /** Bodies that joints hold together: with any, no passes run as one. */
+    private final LockstepJoints joints;
 
     /** Whether the sub-step that comes begins with work on all rows. */
     private boolean apart;
@@ -111,6 +104,7 @@ final class Lockstep {
     Lockstep(Passes passes, Colouring colouring, Batches batches, Sweeps narrow, int kind) {
         this.kind = kind;
         this.passes = passes;
+        joints = new LockstepJoints(passes);
         this.colouring = colouring;
         this.batches = batches;
         this.narrow = narrow;
@@ -144,8 +138,7 @@ final class Lockstep {
         if (isEmpty()) {
             return;
         }
-        firstJoined = passes.assemblies.first(base);
-        joined = passes.assemblies.first(base + 1 + domains) - firstJoined;
+        joints.of(base, base + 1 + domains, pace, benches);
         int alone = batches.firstBody[base + 1] - batches.firstBody[base];
         int bodies = batches.firstBody[base + 1 + domains] - batches.firstBody[base];
         int bodyBlocks = Blocks.count(bodies, BODIES_PER_BLOCK);
@@ -168,15 +161,15 @@ final class Lockstep {
             }
             colours(bias, jobs);
             direct(true, jobs);
-            if (joined > 0) {
+            if (joints.any()) {
                 jobs.run(fixedWithin, domains);
-                jobs.run(closeJoints, joined);
+                joints.close(jobs);
             }
             passes.carry(pace, base, benches[0]);
             passes.moveSides(pace, base);
             jobs.run(drift, parts);
-            if (joined > 0) {
-                jobs.run(placeJoints, joined);
+            if (joints.any()) {
+                joints.place(jobs);
                 jobs.run(lookBack, bodyBlocks);
             }
             if (renews) {
@@ -186,12 +179,12 @@ final class Lockstep {
                 contacts(renewRows, jobs);
                 jobs.run(renewWithin, domains);
             }
-            jobs.run(turnJoints, joined);
+            joints.turn(jobs);
             colours(relax, jobs);
             direct(false, jobs);
-            if (joined > 0) {
+            if (joints.any()) {
                 jobs.run(relaxWithin, domains);
-                jobs.run(stopJoints, joined);
+                joints.stop(jobs);
             }
             substep++;
             passes.paceSides(pace, substep, base);
@@ -212,7 +205,7 @@ final class Lockstep {
     /** Finds whether the next sub-step begins with work on all rows. */
     private void look() {
         meets = balls || (bounces && passes.isFast(firstBody(), endBody()));
-        apart = meets || joined > 0 || rides || (settles && substep == 0);
+        apart = meets || joints.any() || rides || (settles && substep == 0);
     }
 
     private int firstBody() {
@@ -236,7 +229,7 @@ final class Lockstep {
         if (rides) {
             p.ride(pace, substep, firstPlace(-1), endPlace(domains - 1), benches[0]);
         }
-        jobs.run(beginJoints, joined);
+        joints.begin(substep, jobs);
         jobs.run(biasWithin, domains);
     }
 
@@ -314,7 +307,7 @@ final class Lockstep {
                 renews = true; // by whoever finds one
             }
         } else {
-            if (joined == 0) {
+            if (!joints.any()) {
                 relaxWithin(domain, worker);
             }
             p.finish(pace, head, tail, own);
@@ -359,7 +352,7 @@ final class Lockstep {
             return;
         }
         int b = base + 1 + block;
-        if (joined == 0) {
+        if (!joints.any()) {
             fixedWithin(block, worker);
         }
         p.carry(pace, b, benches[worker]);
@@ -387,33 +380,9 @@ final class Lockstep {
         }
     }
 
-    private void beginJoints(int block, int worker) {
-        int a = firstJoined + block;
-        passes.beginJoints(pace, substep, a, a + 1, benches[worker]);
-    }
-
-    private void closeJoints(int block, int worker) {
-        int a = firstJoined + block;
-        passes.closeJoints(pace, a, a + 1, benches[worker]);
-    }
-
-    private void placeJoints(int block, int worker) {
-        passes.placeJoints(firstJoined + block, firstJoined + block + 1);
-    }
-
-    private void turnJoints(int block, int worker) {
-        int a = firstJoined + block;
-        passes.turnJoints(pace, a, a + 1, benches[worker]);
-    }
-
-    private void stopJoints(int block, int worker) {
-        int a = firstJoined + block;
-        passes.stopJoints(pace, a, a + 1, benches[worker]);
-    }
-
     private void drift(int head, int tail, Passes p) {
         p.drift(pace, head, tail);
-        if (joined == 0) {
+        if (!joints.any()) {
             lookBack(head, tail, p);
         }
     }

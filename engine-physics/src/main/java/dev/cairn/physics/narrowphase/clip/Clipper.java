@@ -373,6 +373,33 @@ public final class Clipper {
         named[at] = (long) name << 32 | (leaving & 0xFFFFFFFFL);
     }
 
+    /** Puts one more corner behind what was found. */
+    public void add(double px, double py, double pz, double apart, int name) {
+        ensure(count + 1);
+        int at = count++;
+        x[at] = px;
+        y[at] = py;
+        z[at] = pz;
+        separation[at] = apart;
+        feature[at] = name;
+    }
+
+    /**
+     * Adds all corners that are less than a margin above a plane, given by its normal and height.
+     */
+    public void addCorners(
+            Polyhedron p, double height, double ux, double uy, double uz, double margin) {
+        for (int v = 0; v < p.vertexCount(); v++) {
+            double px = p.vertexX(v);
+            double py = p.vertexY(v);
+            double pz = p.vertexZ(v);
+            double apart = height + ux * px + uy * py + uz * pz;
+            if (apart <= margin) {
+                add(px, py, pz, apart, FeatureIds.VERTEX_B | v);
+            }
+        }
+    }
+
     /** Makes room for a number of corners that are put here from elsewhere. */
     public void ensure(int need) {
         if (need > x.length) {

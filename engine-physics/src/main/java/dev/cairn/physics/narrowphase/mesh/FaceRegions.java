@@ -135,6 +135,39 @@ final class FaceRegions {
         return -1;
     }
 
+    /**
+     * Whether the triangles of a plane go on in all directions from a point: where a corner is on
+     * the side of another triangle, no edge is shared, and still none can be felt.
+     *
+     * @param nx the plane's unit normal
+     */
+    boolean goesOn(
+            int g,
+            double x,
+            double y,
+            double z,
+            double nx,
+            double ny,
+            double nz,
+            double tolerance) {
+        double step = 8 * tolerance;
+        boolean small = Math.abs(nx) < 0.6;
+        double ax = small ? 0 : -nz;
+        double ay = small ? nz : 0;
+        double az = small ? -ny : nx;
+        double f = step / Math.sqrt(ax * ax + ay * ay + az * az);
+        ax *= f;
+        ay *= f;
+        az *= f;
+        double bx = ny * az - nz * ay;
+        double by = nz * ax - nx * az;
+        double bz = nx * ay - ny * ax;
+        return isOver(g, x + ax, y + ay, z + az, tolerance, tolerance)
+                && isOver(g, x - ax, y - ay, z - az, tolerance, tolerance)
+                && isOver(g, x + bx, y + by, z + bz, tolerance, tolerance)
+                && isOver(g, x - bx, y - by, z - bz, tolerance, tolerance);
+    }
+
     /** The largest triangle of a group. */
     int largest(int g) {
         return triangle[leader[g]];

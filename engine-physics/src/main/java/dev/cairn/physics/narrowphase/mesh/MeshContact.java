@@ -11,7 +11,6 @@ import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.mesh.MeshBuilder;
 import dev.cairn.physics.shape.mesh.TriangleSet;
@@ -38,6 +37,7 @@ public final class MeshContact {
     private final TriangleSet.Found found = new TriangleSet.Found();
     private final FaceRegions faces = new FaceRegions();
     private final LoosePoints loose = new LoosePoints();
+    private final MeshFrame frame = new MeshFrame();
     private final double[] box = new double[6], corner = new double[9];
 
     /** The shape: its orientation and centre in the mesh's frame, and how it goes in the reach. */
@@ -45,9 +45,6 @@ public final class MeshContact {
 
     private Shape shape = view;
     private double margin, tolerance;
-
-    /** Orientation of the mesh. */
-    private double mx, my, mz, mw;
 
     /** The triangle at hand: its unit normal towards the shape, and 1, or -1 from the back. */
     private double nx, ny, nz, front;
@@ -63,11 +60,8 @@ public final class MeshContact {
     private int flags;
     private TriangleSet set = MeshBuilder.nothing();
 
-    /** Contacts of the last tick: normals in world axes, and hashed names. */
-    private double[] lastNormal = {};
-
-    private int[] lastNames = {};
-    private int lastCount;
+    /** Contacts of the last tick. */
+    private final LastContacts last = new LastContacts();
 
     /**
      * Creates the scratch of one worker.
@@ -85,9 +79,7 @@ public final class MeshContact {
      * @param names as in {@link FeatureIds}, the surface's features as those of A
      */
     public void remember(double[] normals, int[] names, int count) {
-        lastNormal = normals;
-        lastNames = names;
-        lastCount = count;
+        last.set(normals, names, count);
     }
 
     /**
@@ -122,27 +114,20 @@ public final class MeshContact {
             double within,
             ContactList out) {
         set = triangles;
-        mx = ax;
-        my = ay;
-        mz = az;
-        mw = aw;
         margin = within;
-        qx = aw * bx - ax * bw - ay * bz + az * by;
-        qy = aw * by + ax * bz - ay * bw - az * bx;
-        qz = aw * bz - ax * by + ay * bx - az * bw;
-        qw = aw * bw + ax * bx + ay * by + az * bz;
-        shape = convex;
-        if (convex instanceof Moved m) {
-            turn(m);
-        }
-        toMesh(vx, vy, vz);
-        driftX = tx;
-        driftY = ty;
-        driftZ = tz;
-        toMesh(dx, dy, dz);
-        cx = tx;
-        cy = ty;
-        cz = tz;
+        shape = frame.set(ax, ay, az, aw, convex, bx, by, bz, bw);
+        qx = frame.qx;
+        qy = frame.qy;
+        qz = frame.qz;
+        qw = frame.qw;
+        frame.toMesh(vx, vy, vz);
+        driftX = frame.x;
+        driftY = frame.y;
+        driftZ = frame.z;
+        frame.toMesh(dx, dy, dz);
+        cx = frame.x;
+        cy = frame.y;
+        cz = frame.z;
         shape.bounds(qx, qy, qz, qw, box, 0);
         for (int axis = 0; axis < 3; axis++) {
             double c = axis == 0 ? cx : axis == 1 ? cy : cz;
@@ -171,39 +156,11 @@ public final class MeshContact {
                 edge(g, out);
             }
         }
-        lastCount = 0;
+        last.clear();
     }
 
-    private void turn(Moved m) {
-        double x = m.rotationX();
-        double y = m.rotationY();
-        double z = m.rotationZ();
-        double w = m.rotationW();
-        double rx = qw * x + qx * w + qy * z - qz * y;
-        double ry = qw * y - qx * z + qy * w + qz * x;
-        double rz = qw * z + qx * y - qy * x + qz * w;
-        qw = qw * w - qx * x - qy * y - qz * z;
-        qx = rx;
-        qy = ry;
-        qz = rz;
-        shape = m.inner();
-    }
-
+    /** What the last turn of axes gave. */
     private double tx, ty, tz;
-
-    /** Into t, from world axes; by v + 2 u x (u x v + w v) with u = -q. */
-    private void toMesh(double x, double y, double z) {
-        rotate(-mx, -my, -mz, mw, x, y, z);
-    }
-
-    private void rotate(double x, double y, double z, double w, double vx, double vy, double vz) {
-        double ux = 2 * (y * vz - z * vy);
-        double uy = 2 * (z * vx - x * vz);
-        double uz = 2 * (x * vy - y * vx);
-        tx = vx + w * ux + (y * uz - z * uy);
-        ty = vy + w * uy + (z * ux - x * uz);
-        tz = vz + w * uz + (x * uy - y * ux);
-    }
 
     // One triangle -------------------------------------------------------------------------------
 
@@ -314,7 +271,7 @@ public final class MeshContact {
         x += half * m.normalX;
         y += half * m.normalY;
         z += half * m.normalZ;
-        int name = name(t, m.feature[i]);
+        int name = TriangleNames.shared(set, t, m.feature[i]);
         int kind = name & FeatureIds.CLOSEST;
         if (along < FaceRegions.ONE_PLANE && allows(px, py, pz, m.normalX, m.normalY, m.normalZ)) {
             int own = loose.group(m.normalX, m.normalY, m.normalZ);
@@ -367,39 +324,17 @@ public final class MeshContact {
 
     /** Whether a place of the triangle is on an edge or at a corner that stands out. */
     private boolean isOut(double px, double py, double pz) {
-        int edges =
-                (flags / (front > 0 ? TriangleSet.CONVEX : TriangleSet.HOLLOW)
-                                | flags / TriangleSet.OPEN)
-                        & TriangleSet.ALL;
-        int corners =
-                flags / (front > 0 ? TriangleSet.CORNER : TriangleSet.CORNER_BACK)
-                        & TriangleSet.ALL;
-        int on = 0;
-        for (int e = 0; e < 3; e++) {
-            double inside =
-                    TriangleSides.inside(corner, e, front * nx, front * ny, front * nz, px, py, pz);
-            on |= inside <= tolerance ? 1 << e : 0;
-        }
-        // corner c is between edge c and the one before
-        int at = on & (on << 1 | on >> 2);
-        return (on & edges) != 0 || (at & corners) != 0;
-    }
-
-    /** The name that a feature has in all triangles that share it. */
-    private int name(int t, int feature) {
-        int kind = feature & FeatureIds.CLOSEST;
-        if (kind == FeatureIds.VERTEX_A && (feature & 0x3FFFFFFF) < 3) {
-            return set.vertex(t, feature & 0x3FFFFFFF);
-        }
-        int edge = feature >> 15 & 0x7FFF;
-        if (kind != FeatureIds.CROSSING || edge > 2) {
-            return feature;
-        }
-        int a = set.vertex(t, edge == 2 ? 1 : 0);
-        int b = set.vertex(t, edge == 0 ? 1 : 2);
-        long key = (long) Math.min(a, b) << 32 | Math.max(a, b);
-        key = (key * 0x9E3779B97F4A7C15L ^ (feature & 0x7FFF)) * 0x9E3779B97F4A7C15L;
-        return FeatureIds.CROSSING | (int) (key >>> 34);
+        return TriangleSides.standsOut(
+                corner,
+                flags,
+                front > 0,
+                front * nx,
+                front * ny,
+                front * nz,
+                px,
+                py,
+                pz,
+                tolerance);
     }
 
     // One contact --------------------------------------------------------------------------------
@@ -414,7 +349,7 @@ public final class MeshContact {
         double ux = tx;
         double uy = ty;
         double uz = tz;
-        int last = lastNames();
+        int names = lastNames();
         deepest = Double.POSITIVE_INFINITY;
         under = faces.largest(g);
         patch.fill(pair, false, -ux, -uy, -uz);
@@ -422,11 +357,11 @@ public final class MeshContact {
         plane.ox = -height * ux;
         plane.oy = -height * uy;
         plane.oz = -height * uz;
-        overlay.begin(pair, plane, patch, ux, uy, uz, last);
+        overlay.begin(pair, plane, patch, ux, uy, uz, names);
         boolean disc = patch.flat == Patch.DISC && patch.flatter;
         if (!patch.line && patch.flat == Patch.NONE) {
             double reach = pair.radiusA;
-            put(c, -reach * ux, -reach * uy, -reach * uz, height - reach, FeatureIds.CLOSEST);
+            c.add(-reach * ux, -reach * uy, -reach * uz, height - reach, FeatureIds.CLOSEST);
         } else {
             patch.kind = FeatureIds.VERTEX_B;
             patch.nameP |= FeatureIds.VERTEX_B;
@@ -439,35 +374,12 @@ public final class MeshContact {
         }
         keepOver(g, c);
         if (c.count == 0 && !pair.roundA) {
-            corners(height, ux, uy, uz, c);
+            c.addCorners(pair.a, height, ux, uy, uz, margin);
             keepOver(g, c);
         }
         boolean whole = disc && c.count >= Manifold.POINTS;
         addLoose(g, c);
-        finish(c, last, whole ? Patch.DISC_SHARE : 0, out);
-    }
-
-    /** All corners of a polyhedron. */
-    private void corners(double height, double ux, double uy, double uz, Clipper c) {
-        for (int v = 0; v < pair.a.vertexCount(); v++) {
-            double x = pair.a.vertexX(v);
-            double y = pair.a.vertexY(v);
-            double z = pair.a.vertexZ(v);
-            double separation = height + ux * x + uy * y + uz * z;
-            if (separation <= margin) {
-                put(c, x, y, z, separation, FeatureIds.VERTEX_B | v);
-            }
-        }
-    }
-
-    private static void put(Clipper c, double x, double y, double z, double separation, int name) {
-        c.ensure(c.count + 1);
-        int at = c.count++;
-        c.x[at] = x;
-        c.y[at] = y;
-        c.z[at] = z;
-        c.separation[at] = separation;
-        c.feature[at] = name;
+        finish(c, names, whole ? Patch.DISC_SHARE : 0, out);
     }
 
     /**
@@ -522,10 +434,9 @@ public final class MeshContact {
     /** The points of a group; of a plane's those at the rim of its triangles. */
     private void addLoose(int group, Clipper c) {
         for (int i = 0; i < loose.count; i++) {
-            if (loose.group[i] == group && (group < 0 || !isWithin(group, i))) {
+            if (loose.group[i] == group && (group < 0 || !goesOn(group, i))) {
                 note(loose.number[4 * i + 3], loose.triangle[i]);
-                put(
-                        c,
+                c.add(
                         loose.number[4 * i],
                         loose.number[4 * i + 1],
                         loose.number[4 * i + 2],
@@ -535,30 +446,10 @@ public final class MeshContact {
         }
     }
 
-    /**
-     * Whether the triangles of a plane go on in all directions from a point: where a corner is on
-     * the side of another triangle, no edge is shared, and still none can be felt.
-     */
-    private boolean isWithin(int group, int point) {
-        double step = 8 * tolerance;
-        double x = loose.number[4 * point];
-        double y = loose.number[4 * point + 1];
-        double z = loose.number[4 * point + 2];
-        boolean small = Math.abs(nx) < 0.6;
-        double ax = small ? 0 : -nz;
-        double ay = small ? nz : 0;
-        double az = small ? -ny : nx;
-        double f = step / Math.sqrt(ax * ax + ay * ay + az * az);
-        ax *= f;
-        ay *= f;
-        az *= f;
-        double bx = ny * az - nz * ay;
-        double by = nz * ax - nx * az;
-        double bz = nx * ay - ny * ax;
-        return faces.isOver(group, x + ax, y + ay, z + az, tolerance, tolerance)
-                && faces.isOver(group, x - ax, y - ay, z - az, tolerance, tolerance)
-                && faces.isOver(group, x + bx, y + by, z + bz, tolerance, tolerance)
-                && faces.isOver(group, x - bx, y - by, z - bz, tolerance, tolerance);
+    private boolean goesOn(int group, int point) {
+        double[] p = loose.number;
+        int at = 4 * point;
+        return faces.goesOn(group, p[at], p[at + 1], p[at + 2], nx, ny, nz, tolerance);
     }
 
     /** The points along a normal that is no face's. */
@@ -574,50 +465,34 @@ public final class MeshContact {
     }
 
     /** At most four points, in world axes, midway between the surfaces. */
-    private void finish(Clipper c, int last, double share, ContactList out) {
+    private void finish(Clipper c, int names, double share, ContactList out) {
         cornerOrder.sort(c, nx, ny, nz, margin);
         if (c.count == 0) {
             return;
         }
         double hysteresis = ContactTolerances.HYSTERESIS * pair.inner;
-        reduction.reduce(c, nx, ny, nz, 0.01 * hysteresis, hysteresis, last);
+        reduction.reduce(c, nx, ny, nz, 0.01 * hysteresis, hysteresis, names);
         Manifold m = result;
         m.pointCount = 0;
         m.patch = c.count == Manifold.POINTS ? share : 0;
         for (int i = 0; i < c.count; i++) {
             double half = c.separation[i] / 2;
-            toWorld(c.x[i] - half * nx, c.y[i] - half * ny, c.z[i] - half * nz);
-            m.insert(c.feature[i], c.separation[i], tx, ty, tz);
+            frame.toWorld(c.x[i] - half * nx, c.y[i] - half * ny, c.z[i] - half * nz);
+            m.insert(c.feature[i], c.separation[i], frame.x, frame.y, frame.z);
         }
-        toWorld(nx, ny, nz);
-        m.normalX = tx;
-        m.normalY = ty;
-        m.normalZ = tz;
+        frame.toWorld(nx, ny, nz);
+        m.normalX = frame.x;
+        m.normalY = frame.y;
+        m.normalZ = frame.z;
         out.add(m, set.source(under));
-    }
-
-    private void toWorld(double x, double y, double z) {
-        rotate(mx, my, mz, mw, x, y, z);
     }
 
     /** The names of the contact of the last tick whose normal was nearest to this one. */
     private int lastNames() {
-        if (lastCount == 0) {
+        if (last.isEmpty()) {
             return 0;
         }
-        toWorld(nx, ny, nz);
-        double most = ContactTolerances.NEARLY_PARALLEL;
-        int names = 0;
-        for (int i = 0; i < lastCount; i++) {
-            double dot =
-                    tx * lastNormal[3 * i]
-                            + ty * lastNormal[3 * i + 1]
-                            + tz * lastNormal[3 * i + 2];
-            if (dot > most) {
-                most = dot;
-                names = lastNames[i];
-            }
-        }
-        return names;
+        frame.toWorld(nx, ny, nz);
+        return last.nearest(frame.x, frame.y, frame.z);
     }
 }

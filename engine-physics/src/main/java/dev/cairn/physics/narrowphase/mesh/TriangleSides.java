@@ -1,5 +1,7 @@
 package dev.cairn.physics.narrowphase.mesh;
 
+import dev.cairn.physics.shape.mesh.TriangleSet;
+
 /** Arithmetic of single triangles, given as normal and corners or as corners alone. Stateless. */
 final class TriangleSides {
     private TriangleSides() {}
@@ -37,5 +39,40 @@ final class TriangleSides {
         double sz = nx * ey - ny * ex;
         return (sx * (x - c[a]) + sy * (y - c[a + 1]) + sz * (z - c[a + 2]))
                 / Math.sqrt(sx * sx + sy * sy + sz * sz);
+    }
+
+    /**
+     * Whether a place of a triangle is on an edge or at a corner that stands out of the surface.
+     *
+     * @param c three corners
+     * @param flags of the triangle, see {@link TriangleSet}
+     * @param isFront whether it is seen from the front
+     * @param nx unit normal of the front
+     * @param tolerance how far from an edge a place is on it, m
+     */
+    static boolean standsOut(
+            double[] c,
+            int flags,
+            boolean isFront,
+            double nx,
+            double ny,
+            double nz,
+            double x,
+            double y,
+            double z,
+            double tolerance) {
+        int edges =
+                (flags / (isFront ? TriangleSet.CONVEX : TriangleSet.HOLLOW)
+                                | flags / TriangleSet.OPEN)
+                        & TriangleSet.ALL;
+        int corners =
+                flags / (isFront ? TriangleSet.CORNER : TriangleSet.CORNER_BACK) & TriangleSet.ALL;
+        int on = 0;
+        for (int e = 0; e < 3; e++) {
+            on |= inside(c, e, nx, ny, nz, x, y, z) <= tolerance ? 1 << e : 0;
+        }
+        // corner c is between edge c and the one before
+        int at = on & (on << 1 | on >> 2);
+        return (on & edges) != 0 || (at & corners) != 0;
     }
 }

@@ -23,13 +23,14 @@ public final class Polyhedron {
     private static final int SCANNED = 40;
 
     /** Three numbers of a vertex lie side by side; so do a plane's normal and offset. */
-    private final double[] vertex, plane, sidePlane;
+    final double[] vertex, plane, sidePlane;
 
     private final int[] faceBegin;
     private final int[] slotVertex, slotEdge;
     private final int[] edgeFrom, edgeTo, edgeLeft, edgeRight;
     private final int[] spokeBegin, spokeVertex, spokeEdge, spokeFace;
-    private double innerRadius, outerRadius;
+    private double innerRadius;
+    double outerRadius;
     private final int largestFace;
     private final int[] extremes;
 
@@ -140,69 +141,7 @@ public final class Polyhedron {
      * @param ox the point that the vertices are relative to, m
      */
     public void setTriangle(double[] corners, double ox, double oy, double oz) {
-        double outer = 0;
-        for (int v = 0; v < 3; v++) {
-            double x = corners[3 * v] - ox;
-            double y = corners[3 * v + 1] - oy;
-            double z = corners[3 * v + 2] - oz;
-            vertex[4 * v] = x;
-            vertex[4 * v + 1] = y;
-            vertex[4 * v + 2] = z;
-            outer = Math.max(outer, x * x + y * y + z * z);
-        }
-        outerRadius = Math.sqrt(outer);
-        double nx = crossX(1, 2);
-        double ny = crossX(2, 0);
-        double nz = crossX(0, 1);
-        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        nx /= length;
-        ny /= length;
-        nz /= length;
-        double high = -Double.MAX_VALUE;
-        double low = Double.MAX_VALUE;
-        for (int v = 0; v < 3; v++) {
-            double along = along(v, nx, ny, nz);
-            high = Math.max(high, along);
-            low = Math.min(low, along);
-        }
-        setPlane(0, nx, ny, nz, high);
-        setPlane(1, -nx, -ny, -nz, -low);
-        for (int slot = 0; slot < 6; slot++) {
-            int face = slot < 3 ? 0 : 1;
-            int next = slot + 1 == faceBegin[face + 1] ? faceBegin[face] : slot + 1;
-            setSide(slot, slotVertex[slot], slotVertex[next], face == 0 ? 1 : -1, nx, ny, nz);
-        }
-    }
-
-    /** A component of (v1 - v0) x (v2 - v0), from two coordinates. */
-    private double crossX(int y, int z) {
-        return (vertex[4 + y] - vertex[y]) * (vertex[8 + z] - vertex[z])
-                - (vertex[4 + z] - vertex[z]) * (vertex[8 + y] - vertex[y]);
-    }
-
-    private void setPlane(int face, double nx, double ny, double nz, double offset) {
-        plane[4 * face] = nx;
-        plane[4 * face + 1] = ny;
-        plane[4 * face + 2] = nz;
-        plane[4 * face + 3] = offset;
-    }
-
-    /** The plane through a side, at right angles to the triangle. */
-    private void setSide(int slot, int a, int b, double sign, double nx, double ny, double nz) {
-        double ex = sign * (vertexX(b) - vertexX(a));
-        double ey = sign * (vertexY(b) - vertexY(a));
-        double ez = sign * (vertexZ(b) - vertexZ(a));
-        double sx = ey * nz - ez * ny;
-        double sy = ez * nx - ex * nz;
-        double sz = ex * ny - ey * nx;
-        double length = Math.sqrt(sx * sx + sy * sy + sz * sz);
-        sidePlane[4 * slot] = sx / length;
-        sidePlane[4 * slot + 1] = sy / length;
-        sidePlane[4 * slot + 2] = sz / length;
-        sidePlane[4 * slot + 3] =
-                Math.max(
-                        along(a, sx / length, sy / length, sz / length),
-                        along(b, sx / length, sy / length, sz / length));
+        TrianglePlanes.set(this, corners, ox, oy, oz);
     }
 
     /** The faces, edges and vertices of a shape that has such. */
@@ -439,7 +378,8 @@ public final class Polyhedron {
                 : support(dx, dy, dz);
     }
 
-    private double along(int v, double dx, double dy, double dz) {
+    /** How far a vertex is along a direction. */
+    double along(int v, double dx, double dy, double dz) {
         return vertex[4 * v] * dx + vertex[4 * v + 1] * dy + vertex[4 * v + 2] * dz;
     }
 

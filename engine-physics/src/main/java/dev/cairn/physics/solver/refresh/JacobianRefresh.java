@@ -1,5 +1,16 @@
 package dev.cairn.physics.solver.refresh;
 
+import static dev.cairn.physics.solver.refresh.RefreshKind.AIMED;
+import static dev.cairn.physics.solver.refresh.RefreshKind.BETWEEN;
+import static dev.cairn.physics.solver.refresh.RefreshKind.OF_A;
+import static dev.cairn.physics.solver.refresh.RefreshKind.OF_B;
+import static dev.cairn.physics.solver.refresh.RefreshKind.STAYS_A;
+import static dev.cairn.physics.solver.refresh.RefreshKind.STAYS_B;
+import static dev.cairn.physics.solver.refresh.RefreshKind.SWINGS_A;
+import static dev.cairn.physics.solver.refresh.RefreshKind.SWINGS_B;
+import static dev.cairn.physics.solver.refresh.RefreshKind.TOLD;
+import static dev.cairn.physics.solver.refresh.RefreshKind.TURNS_A;
+import static dev.cairn.physics.solver.refresh.RefreshKind.TURNS_B;
 import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
 
 import dev.cairn.physics.internal.BodyStore;
@@ -7,7 +18,6 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Surface;
 import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
-import dev.cairn.physics.solver.impact.BallImpacts;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.SubStep;
 
@@ -38,36 +48,6 @@ public final class JacobianRefresh {
 
     /** Way in a tick over the outer radius beyond which levers do not age by a tick at all. */
     private static final double FAR = 0.1;
-
-    /** The row is renewed. */
-    private static final int YES = 1;
-
-    /** Of a row: its points turn with the corners of A, of B. */
-    private static final int TURNS_A = 2;
-
-    private static final int TURNS_B = 4;
-
-    /** Of a row: two bodies share a point, that of A, of B, or what lies between. */
-    private static final int OF_A = 8;
-
-    private static final int OF_B = 16;
-    private static final int BETWEEN = OF_A | OF_B;
-
-    /** Of a row: A, or B, moves but does not turn, so that it keeps its warm start. */
-    private static final int STAYS_A = 32;
-
-    private static final int STAYS_B = 64;
-
-    /** Of a row: its normal may turn within the tick, see {@link BallImpacts}. */
-    private static final int AIMED = 128;
-
-    /** Of a row: others read in the contact where its points are. */
-    private static final int TOLD = 256;
-
-    /** Of a row: its points go with the axis of A, of B, see {@link RoundTurn}. */
-    private static final int SWINGS_A = 512;
-
-    private static final int SWINGS_B = 1024;
 
     /** Numbers to a row in {@link #kept}. */
     private static final int KEPT = RefreshRow.RECORD;
@@ -174,7 +154,7 @@ public final class JacobianRefresh {
                             && movesB
                             && c.restitution[source] == 0
                             && passes(b, i, j, gravity))) {
-                renewed[place] = how(rows, c, b, place, source, movesA, movesB);
+                renewed[place] = RefreshKind.of(rows, c, b, turns, place, movesA, movesB);
                 any = true;
                 RefreshRow.keep(c, source, kept, KEPT * place);
                 if ((renewed[place] & SWINGS_A) != 0) {
@@ -248,52 +228,6 @@ public final class JacobianRefresh {
 
     private static int roundB(int place) {
         return roundA(place) + RoundTurn.NUMBERS;
-    }
-
-    private int how(
-            ConstraintRows rows,
-            ContactStore c,
-            BodyStore b,
-            int place,
-            int source,
-            boolean movesA,
-            boolean movesB) {
-        int i = c.bodyA[source];
-        int k = c.bodyB[source];
-        boolean isCorneredA = c.surfaceA[source] == Surface.CORNERED;
-        boolean isCorneredB = c.surfaceB[source] == Surface.CORNERED;
-        boolean bounces = c.restitution[source] > 0;
-        int how = YES;
-        how |= movesA && turns[i] && isCorneredA ? TURNS_A : 0;
-        how |= movesB && turns[k] && isCorneredB ? TURNS_B : 0;
-        how |=
-                movesA && turns[i] && !isCorneredA && RoundTurn.moves(b, i, c.colliderA[source])
-                        ? SWINGS_A
-                        : 0;
-        how |=
-                movesB && turns[k] && !isCorneredB && RoundTurn.moves(b, k, c.colliderB[source])
-                        ? SWINGS_B
-                        : 0;
-        how |= movesA && !turns[i] ? STAYS_A : 0;
-        how |= movesB && !turns[k] ? STAYS_B : 0;
-        how |= bounces ? AIMED : 0;
-        // what lands, rolls or bounces
-        how |= !movesA || !movesB || bounces || rows.rolling.has(place) ? TOLD : 0;
-        if (movesA && movesB && !bounces) {
-            // two bodies share one point: a ball's own, since on a ball a lever off its normal
-            // would lift
-            how |= isCorneredA == isCorneredB ? BETWEEN : isCorneredA ? OF_B : OF_A;
-        }
-        if (movesA && movesB && b.driven > 0) {
-            // what stands or rolls on what only moves of itself meets it at its own point
-            how = b.kind[i] != BodyStore.DYNAMIC ? (how & ~BETWEEN) | OF_B : how;
-            how = b.kind[k] != BodyStore.DYNAMIC ? (how & ~BETWEEN) | OF_A : how;
-        }
-        if (rows.drags.has(place) && b.hasBelt[i] != b.hasBelt[k]) {
-            // what lies on a belt runs over it for long, and its own points carry it
-            how = (how & ~BETWEEN) | (b.hasBelt[i] ? OF_B : OF_A);
-        }
-        return how;
     }
 
     /**
