@@ -2,8 +2,6 @@ package dev.cairn.render.app;
 
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.render.camera.Camera;
-import dev.cairn.render.gl.GlContext;
-import dev.cairn.render.gl.GlUnavailableException;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Trigger;
 import dev.cairn.render.ui.Ui;
@@ -295,25 +293,16 @@ public abstract class Application {
         started = true;
         StartProperties.read(this);
         DefaultKeys.bind(this);
+        Launch launch = new Launch(this, width, height);
         Path asked = picture;
         if (asked != null) {
-            drawPicture(asked, true);
+            launch.picture(asked, true);
             return;
         }
-        GlContext context = null;
-        String reason = "neither DISPLAY nor WAYLAND_DISPLAY is set";
-        if (StartProperties.hasDisplay()) {
-            try {
-                context = GlContext.window(width, height, getClass().getSimpleName());
-            } catch (GlUnavailableException e) {
-                reason = Objects.requireNonNullElse(e.getMessage(), "no reason given");
-            }
-        }
-        if (context == null) {
+        String reason = launch.window();
+        if (reason != null) {
             withoutWindow(reason);
-            return;
         }
-        runWindow(context);
     }
 
     /**
@@ -325,50 +314,12 @@ public abstract class Application {
     protected void withoutWindow(String reason) {
         System.err.println(
                 "No window can be opened here: " + reason + ". Drawing a picture instead.");
-        drawPicture(Path.of(getClass().getSimpleName() + ".png"), false);
+        new Launch(this, width, height)
+                .picture(Path.of(getClass().getSimpleName() + ".png"), false);
     }
 
-    private void runWindow(GlContext context) {
-        Simulation running = newSimulation(-1);
-        try (GlContext open = context) {
-            running.start();
-            new WindowLoop(this, running, open).run();
-        } finally {
-            running.stop();
-        }
-        finish(running);
-    }
-
-    private void drawPicture(Path file, boolean required) {
-        String reason = Offscreen.unavailableReason();
-        if (reason != null && required) {
-            throw new IllegalStateException("the picture " + file + " cannot be drawn: " + reason);
-        }
-        Simulation running = newSimulation(pictureTick);
-        if (!ApplicationHost.runToEnd(running)) {
-            return;
-        }
-        finish(running);
-        if (reason != null) {
-            System.err.println("No picture can be drawn either: " + reason);
-            return;
-        }
-        try (Offscreen view = Offscreen.open(width, height)) {
-            view.draw(running.exchange().latest(), 1, camera, scene().light());
-            view.savePng(file);
-        }
-        System.out.println("Tick " + running.ticks() + " is in " + file.toAbsolutePath());
-    }
-
-    private static void finish(Simulation running) {
-        String text = running.failureText();
-        if (text != null) {
-            System.err.println(text);
-        }
-        running.rethrow();
-    }
-
-    private Simulation newSimulation(long ticks) {
+    /** What {@link #running} is from now on; not started. */
+    Simulation newSimulation(long ticks) {
         Simulation made = new Simulation(new ApplicationHost(this), stepSeconds, ticks);
         simulation = made;
         return made;

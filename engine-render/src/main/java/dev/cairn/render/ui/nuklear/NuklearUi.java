@@ -53,7 +53,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final long valueColumns = shares(0.58f, 0.40f);
     private final long buttonColumns = shares(0.52f, 0.45f);
     private final Map<String, double[]> bounds = new HashMap<>();
-    private final Map<String, long[]> sections = new HashMap<>();
+    private final UiSections sections = new UiSections();
     private final Map<String, FieldText> fields = new HashMap<>();
     private final SliderText sliderText = new SliderText();
     private final NuklearInput input = new NuklearInput(context, vector);
@@ -161,7 +161,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     public boolean panel(
             String title, double left, double top, double panelWidth, double panelHeight) {
         panelNow = title;
-        place(left, top, panelWidth, panelHeight);
+        rect.set(px(left), px(top), px(Math.max(panelWidth, 1)), px(Math.max(panelHeight, 1)));
         remember(title, left, top, panelWidth, panelHeight);
         nk_style_push_font(context, font.title());
         panelOpen =
@@ -173,10 +173,6 @@ public final class NuklearUi implements Ui, AutoCloseable {
         nk_style_pop_font(context);
         endColumns();
         return panelOpen;
-    }
-
-    private void place(double left, double top, double w, double h) {
-        rect.set(px(left), px(top), px(Math.max(w, 1)), px(Math.max(h, 1)));
     }
 
     private float px(double logical) {
@@ -347,12 +343,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
         row(ROW, 3, sliderColumns);
         hint(hint);
         write(label, NK_TEXT_LEFT);
-        boolean logarithmic = min > 0 && max > 1000 * min;
-        double low = logarithmic ? Math.log(min) : min;
-        double high = logarithmic ? Math.log(max) : max;
-        double share =
-                Math.clamp(
-                        ((logarithmic ? Math.log(value) : value) - low) / (high - low), 0.0, 1.0);
+        double share = SliderScale.share(min, max, value);
         double[] at = remember(label);
         hint(hint);
         double moved = value;
@@ -362,9 +353,11 @@ public final class NuklearUi implements Ui, AutoCloseable {
             double wanted =
                     Math.clamp((input.cursorX() / scale - at[0] - KNOB_INSET) / room, 0.0, 1.0);
             if (Math.abs(wanted - share) * room >= 0.5) {
-                double point = low + wanted * (high - low);
-                double raw = logarithmic ? Math.exp(point) : point;
-                moved = Math.clamp(SliderText.round(raw, step), min, max);
+                moved =
+                        Math.clamp(
+                                SliderText.round(SliderScale.value(min, max, wanted), step),
+                                min,
+                                max);
                 share = wanted;
             }
         }
@@ -421,19 +414,9 @@ public final class NuklearUi implements Ui, AutoCloseable {
     @Override
     public boolean section(String title, boolean open) {
         endColumns();
-        long[] state = sections.get(title);
-        if (state == null) {
-            state = newSection(title, open ? 1 : 0);
-        }
         remember(title);
-        return nnk_tree_state_push(context.address(), NK_TREE_TAB, letters.of(title), state[0]);
-    }
-
-    private long[] newSection(String title, int open) {
-        long[] state = {MemoryUtil.nmemAllocChecked(4)};
-        MemoryUtil.memPutInt(state[0], open);
-        sections.put(title, state);
-        return state;
+        return nnk_tree_state_push(
+                context.address(), NK_TREE_TAB, letters.of(title), sections.state(title, open));
     }
 
     /**
@@ -442,7 +425,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
      * @param other the panels that were there before, not closed yet
      */
     public void openAs(NuklearUi other) {
-        other.sections.forEach((title, state) -> newSection(title, MemoryUtil.memGetInt(state[0])));
+        sections.openAs(other.sections);
     }
 
     @Override
@@ -456,38 +439,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
             String label, CharSequence value, float[] values, int begin, int count, int rgb) {
         value(label, value);
         nk_layout_row_dynamic(context, px(PLOT), 1);
-        float min = Float.POSITIVE_INFINITY;
-        float max = Float.NEGATIVE_INFINITY;
-        for (int i = 0; i < count; i++) {
-            float v = values[(begin + i) % values.length];
-            if (!Float.isNaN(v)) {
-                min = Math.min(min, v);
-                max = Math.max(max, v);
-            }
-        }
-        if (min > max) {
-            min = 0;
-            max = 1;
-        }
-        // From zero where all is positive, so that the height of the curve means something.
-        float low = Math.min(min, 0);
-        float high = Math.max(max, low + Float.MIN_NORMAL);
-        UiStyle.set(first, 0xFF000000 | rgb);
-        UiStyle.set(second, 0xFFFFFFFF);
-        if (nnk_chart_begin_colored(
-                context.address(),
-                NK_CHART_LINES,
-                first.address(),
-                second.address(),
-                Math.max(count, 2),
-                low,
-                high)) {
-            for (int i = 0; i < count; i++) {
-                float v = values[(begin + i) % values.length];
-                nk_chart_push(context, Float.isNaN(v) ? low : v);
-            }
-            nk_chart_end(context);
-        }
+        UiPlot.curve(context, first, second, values, begin, count, rgb);
     }
 
     @Override
@@ -542,8 +494,6 @@ public final class NuklearUi implements Ui, AutoCloseable {
         cross.close();
         letters.close();
         MemoryUtil.nmemFree(numbers);
-        for (long[] state : sections.values()) {
-            MemoryUtil.nmemFree(state[0]);
-        }
+        sections.close();
     }
 }
