@@ -1,5 +1,10 @@
 package dev.cairn.benchmarks.compare;
 
+import dev.cairn.benchmarks.compare.measure.Case;
+import dev.cairn.benchmarks.compare.measure.EngineProcess;
+import dev.cairn.benchmarks.compare.measure.Judge;
+import dev.cairn.benchmarks.compare.measure.Machine;
+import dev.cairn.benchmarks.compare.measure.Protocol;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings;
 import dev.cairn.samples.Parameter;

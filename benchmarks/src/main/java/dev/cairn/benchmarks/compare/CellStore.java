@@ -3,6 +3,8 @@ package dev.cairn.benchmarks.compare;
 import com.google.gson.Gson;
 import com.google.gson.JsonSyntaxException;
 
+import dev.cairn.benchmarks.compare.measure.Protocol;
+
 import org.jspecify.annotations.Nullable;
 
 import java.io.BufferedWriter;

@@ -1,6 +1,7 @@
 package dev.cairn.benchmarks.compare;
 
 import dev.cairn.benchmarks.Marked;
+import dev.cairn.benchmarks.compare.measure.Case;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings.Tuning;
 
@@ -90,8 +91,8 @@ public final class Compare implements Callable<Integer> {
             names = "--readme",
             paramLabel = "FILE",
             description =
-                    "also replaces the table in this page, README.md, and draws the main diagram"
-                            + " beside it, docs/images/speed-against-error.svg")
+                    "also replaces the table in this page, docs/benchmarks.md, and draws the main"
+                            + " diagram beside it, images/speed-against-error.svg")
     private @Nullable Path readme;
 
     private final PrintStream err = System.err;
@@ -166,7 +167,7 @@ public final class Compare implements Callable<Integer> {
     }
 
     private static void readme(ReadmePart part, Path page) throws IOException {
-        Path picture = page.resolveSibling(Path.of("docs", "images", "speed-against-error.svg"));
+        Path picture = page.resolveSibling(Path.of("images", "speed-against-error.svg"));
         Files.createDirectories(picture.toAbsolutePath().getParent());
         Files.writeString(picture, part.picture(), StandardCharsets.UTF_8);
         Files.writeString(

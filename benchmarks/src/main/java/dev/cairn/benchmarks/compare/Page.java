@@ -1,5 +1,6 @@
 package dev.cairn.benchmarks.compare;
 
+import dev.cairn.benchmarks.compare.measure.Case;
 import dev.cairn.benchmarks.peer.Engine;
 
 import java.io.IOException;

@@ -1,5 +1,7 @@
 package dev.cairn.benchmarks.compare;
 
+import dev.cairn.benchmarks.compare.measure.Case;
+import dev.cairn.benchmarks.compare.measure.Machine;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings.Tuning;
 

@@ -1,5 +1,6 @@
 package dev.cairn.benchmarks.compare;
 
+import dev.cairn.benchmarks.compare.measure.Case;
 import dev.cairn.benchmarks.peer.Engine;
 
 import java.io.IOException;
@@ -9,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
-/** What the README shows of a report: one diagram, and a table of a few scenes. */
+/** What the docs show of a report: one diagram, and a table of a few scenes. */
 final class ReadmePart {
     /** Scenes of the table, those that were measured; whether the error is a length in m. */
     private static final List<String> SCENES =

@@ -3,6 +3,8 @@ package dev.cairn.benchmarks.compare;
 import com.google.gson.GsonBuilder;
 
 import dev.cairn.benchmarks.Spread;
+import dev.cairn.benchmarks.compare.measure.Case;
+import dev.cairn.benchmarks.compare.measure.Protocol;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings;
 

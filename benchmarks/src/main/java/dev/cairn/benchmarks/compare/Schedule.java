@@ -1,6 +1,8 @@
 package dev.cairn.benchmarks.compare;
 
 import dev.cairn.benchmarks.Spread;
+import dev.cairn.benchmarks.compare.measure.Case;
+import dev.cairn.benchmarks.compare.measure.Protocol;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings;
 import dev.cairn.benchmarks.peer.PeerSettings.Tuning;

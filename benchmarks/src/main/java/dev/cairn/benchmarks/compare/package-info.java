@@ -26,6 +26,9 @@
  * thread plus the collector's pauses: it hardly moves when somebody else uses the machine. Wall
  * times are in the tables.
  *
+ * <p>One measurement is a chapter of its own, {@code compare.measure}; here is what to measure, in
+ * which order, and what is made of it.
+ *
  * <p>Sources: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I (work-precision
  * diagrams); SimBenchmark, Leggedrobotics 2018 (accuracy against cost for engines, separate runs).
  */

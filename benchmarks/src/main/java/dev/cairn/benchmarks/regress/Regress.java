@@ -5,7 +5,7 @@ import com.google.gson.GsonBuilder;
 
 import dev.cairn.benchmarks.Main;
 import dev.cairn.benchmarks.Spread;
-import dev.cairn.benchmarks.compare.Probe;
+import dev.cairn.benchmarks.compare.measure.Probe;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;

@@ -2,6 +2,8 @@ package dev.cairn.benchmarks.compare;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.benchmarks.compare.measure.CpuClock;
+
 import org.junit.jupiter.api.Test;
 
 import java.lang.management.ManagementFactory;

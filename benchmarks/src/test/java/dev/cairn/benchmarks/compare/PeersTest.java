@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
+import dev.cairn.benchmarks.compare.measure.EngineProcess;
+import dev.cairn.benchmarks.compare.measure.Protocol;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings;
 

@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.benchmarks.compare.measure.Case;
+import dev.cairn.benchmarks.compare.measure.Judge;
+import dev.cairn.benchmarks.compare.measure.Protocol;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.Peer;
 import dev.cairn.benchmarks.peer.PeerSettings;

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.benchmarks.compare.measure.Case;
+import dev.cairn.benchmarks.compare.measure.Protocol;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings;
 import dev.cairn.benchmarks.peer.PeerSettings.Tuning;

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.Gson;
 
+import dev.cairn.benchmarks.compare.measure.Protocol;
+import dev.cairn.benchmarks.compare.measure.Worker;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings;
 

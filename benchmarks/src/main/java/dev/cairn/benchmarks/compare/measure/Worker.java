@@ -1,4 +1,4 @@
-package dev.cairn.benchmarks.compare;
+package dev.cairn.benchmarks.compare.measure;
 
 import com.google.gson.Gson;
 
@@ -27,7 +27,7 @@ import java.util.Map;
  * The main class of an engine's JVM: answers requests from standard input until it ends. What goes
  * wrong in one request is its answer; the JVM lives on.
  */
-final class Worker {
+public final class Worker {
     /** Warm-up is over when the medians of so many windows in a row agree. */
     private static final int WINDOWS = 3;
 
@@ -45,7 +45,7 @@ final class Worker {
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     private long[] nanos = new long[4096];
 
-    Worker(Engine engine) {
+    public Worker(Engine engine) {
         this.engine = engine;
     }
 
@@ -70,7 +70,7 @@ final class Worker {
     }
 
     /** An answer that JSON cannot hold is our mistake, not the engine's end. */
-    static String line(Gson gson, Protocol.Answer answer) {
+    public static String line(Gson gson, Protocol.Answer answer) {
         try {
             return gson.toJson(answer);
         } catch (IllegalArgumentException notFinite) {
@@ -79,7 +79,7 @@ final class Worker {
         }
     }
 
-    Protocol.Answer answer(Protocol.Request request) {
+    public Protocol.Answer answer(Protocol.Request request) {
         try {
             Case scene = Case.of(request.scene()).with(request.settings());
             return switch (request.kind()) {
@@ -289,7 +289,7 @@ final class Worker {
     }
 
     /** Returns the median tick of each of some spans of time, each a tenth longer than the last. */
-    static List<Double> thinned(List<Double> ticks) {
+    public static List<Double> thinned(List<Double> ticks) {
         List<Double> kept = new ArrayList<>();
         int from = 0;
         while (from < ticks.size()) {

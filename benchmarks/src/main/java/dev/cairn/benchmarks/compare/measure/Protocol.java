@@ -1,4 +1,4 @@
-package dev.cairn.benchmarks.compare;
+package dev.cairn.benchmarks.compare.measure;
 
 import dev.cairn.benchmarks.peer.PeerSettings;
 
@@ -8,14 +8,14 @@ import java.util.List;
 import java.util.Map;
 
 /** What goes between the report's JVM and an engine's, one JSON object a line. */
-final class Protocol {
+public final class Protocol {
     /** Marks an answer among what native libraries print. */
-    static final String MARK = "@@cairn ";
+    public static final String MARK = "@@cairn ";
 
     private Protocol() {}
 
     /** What an engine's JVM is asked to do. */
-    enum Kind {
+    public enum Kind {
         /** Run the whole scene once and measure errors. */
         JUDGE,
         /** Run until times settle. */
@@ -35,7 +35,7 @@ final class Protocol {
      * @param peer how the engine is set
      * @param seconds how long to step: at least, for {@code TIME}; at most, for the others
      */
-    record Request(
+    public record Request(
             Kind kind,
             String scene,
             Map<String, String> settings,
@@ -61,7 +61,7 @@ final class Protocol {
      * @param cold pairs of ms since the start of the JVM and ms of the tick that ended then
      * @param notes of the engine
      */
-    record Answer(
+    public record Answer(
             @Nullable String failure,
             boolean missing,
             @Nullable Double error,
@@ -78,21 +78,21 @@ final class Protocol {
             List<Double> cold,
             List<String> notes) {
 
-        static Answer failed(String why, boolean missing) {
+        public static Answer failed(String why, boolean missing) {
             return new Answer(
                     why, missing, null, Map.of(), null, -1, -1, 0, 0, null, null, null, -1,
                     List.of(), List.of());
         }
 
         /** What is too slow by expectation, with its expected cost. */
-        static Answer slow(String why, int bodies, double micros) {
+        public static Answer slow(String why, int bodies, double micros) {
             return new Answer(
                     why, false, null, Map.of(), null, -1, -1, bodies, 0, micros, null, null, -1,
                     List.of(), List.of());
         }
 
         /** The same without errors, overlaps and counts. */
-        Answer withoutErrors() {
+        public Answer withoutErrors() {
             return new Answer(
                     failure,
                     missing,
@@ -111,7 +111,7 @@ final class Protocol {
                     notes);
         }
 
-        static Answer timed(
+        public static Answer timed(
                 int bodies, long ticks, double cpu, double median, double p99, double compilers) {
             return new Answer(
                     null, false, null, Map.of(), null, -1, -1, bodies, ticks, cpu, median, p99,

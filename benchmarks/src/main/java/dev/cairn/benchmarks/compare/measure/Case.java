@@ -1,4 +1,4 @@
-package dev.cairn.benchmarks.compare;
+package dev.cairn.benchmarks.compare.measure;
 
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneOptions;
@@ -26,7 +26,7 @@ import java.util.TreeMap;
  * @param scaling true if it has enough bodies for several workers
  * @param lookCost how much longer overlaps take to measure than between boxes
  */
-record Case(
+public record Case(
         String id,
         String title,
         SampleScene scene,
@@ -42,18 +42,18 @@ record Case(
         int lookCost) {
 
     /** Name of the metric that the judge measures itself: deepest overlap in the last quarter. */
-    static final String REST_OVERLAP = "restOverlapMetres";
+    public static final String REST_OVERLAP = "restOverlapMetres";
 
     /** Number of sub-steps of scenes that are not limited. */
-    static final int MOST_SUBSTEPS = 32;
+    public static final int MOST_SUBSTEPS = 32;
 
-    Case {
+    public Case {
         settings = Map.copyOf(settings);
         quick = Map.copyOf(quick);
     }
 
     /** Returns a small scene with a closed form. */
-    static Case small(
+    public static Case small(
             String id,
             String title,
             String scene,
@@ -80,7 +80,7 @@ record Case(
     }
 
     /** Returns this scene as one of many bodies. */
-    Case large(int mostSubsteps, int costOfLooks, Map<String, String> quickSettings) {
+    public Case large(int mostSubsteps, int costOfLooks, Map<String, String> quickSettings) {
         return new Case(
                 id,
                 title,
@@ -97,11 +97,11 @@ record Case(
                 costOfLooks);
     }
 
-    static List<Case> all() {
+    public static List<Case> all() {
         return Cases.ALL;
     }
 
-    static Case of(String id) {
+    public static Case of(String id) {
         List<String> known = new ArrayList<>();
         for (Case one : Cases.ALL) {
             if (one.id.equals(id)) {
@@ -115,7 +115,7 @@ record Case(
     }
 
     /** Returns this scene with other values of its parameters. */
-    Case with(Map<String, String> values) {
+    public Case with(Map<String, String> values) {
         Map<String, String> merged = new TreeMap<>(settings);
         merged.putAll(values);
         return new Case(
@@ -134,7 +134,7 @@ record Case(
                 lookCost);
     }
 
-    SceneOptions options() {
+    public SceneOptions options() {
         return SceneOptions.of(scene, settings, SceneOptions.DEFAULT_SEED, null);
     }
 }

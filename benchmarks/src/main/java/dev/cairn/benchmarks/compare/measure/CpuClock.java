@@ -1,4 +1,4 @@
-package dev.cairn.benchmarks.compare;
+package dev.cairn.benchmarks.compare.measure;
 
 import org.jspecify.annotations.Nullable;
 
@@ -21,7 +21,7 @@ import java.util.Map;
  * work. A thread that ends within the work is left out of it from the start: what it took is gone
  * with it. Elsewhere the process's time is taken for all, the compilers in it. One thread.
  */
-final class CpuClock {
+public final class CpuClock {
     private static final Path TASKS = Path.of("/proc/self/task");
 
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
@@ -48,14 +48,14 @@ final class CpuClock {
         }
     }
 
-    void start() {
+    public void start() {
         before.clear();
         look((task, name, nanos) -> before.put(task, nanos));
         ownBefore = ownNanos();
     }
 
     /** Returns the CPU time since the start, ns. */
-    long stop() {
+    public long stop() {
         long mine = ownNanos() - ownBefore;
         compilers = 0;
         long[] others = {0};
@@ -71,7 +71,7 @@ final class CpuClock {
     }
 
     /** Returns the JIT compilers' CPU time between start and stop, ns; -1 if it is not known. */
-    long compilerNanos() {
+    public long compilerNanos() {
         return perThread ? compilers : -1;
     }
 

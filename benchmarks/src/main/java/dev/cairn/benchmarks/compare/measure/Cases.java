@@ -1,13 +1,13 @@
-package dev.cairn.benchmarks.compare;
+package dev.cairn.benchmarks.compare.measure;
 
 import java.util.List;
 import java.util.Map;
 
 /** The scenes of the report, in its order. */
-final class Cases {
+public final class Cases {
     private static final String OVERLAP = "deepest overlap at rest, m";
 
-    static final List<Case> ALL =
+    public static final List<Case> ALL =
             List.of(
                     Case.small(
                             "free-flight",

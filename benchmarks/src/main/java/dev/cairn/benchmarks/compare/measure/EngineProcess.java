@@ -1,4 +1,4 @@
-package dev.cairn.benchmarks.compare;
+package dev.cairn.benchmarks.compare.measure;
 
 import com.google.gson.Gson;
 
@@ -27,9 +27,9 @@ import java.util.concurrent.TimeoutException;
  * An engine's JVM. A crash, or silence beyond the time allowed, is the answer to the request that
  * met it; the next request starts a new JVM, unless two have died. One thread.
  */
-final class EngineProcess implements AutoCloseable {
+public final class EngineProcess implements AutoCloseable {
     /** What every engine's JVM is started with. */
-    static final List<String> FLAGS =
+    public static final List<String> FLAGS =
             List.of(
                     "-Xms512m",
                     "-Xmx1g",
@@ -67,24 +67,24 @@ final class EngineProcess implements AutoCloseable {
     private int deaths;
     private String lastDeath = "";
 
-    EngineProcess(Engine engine, Path logs, List<String> extraFlags) {
+    public EngineProcess(Engine engine, Path logs, List<String> extraFlags) {
         this.engine = engine;
         this.logs = logs;
         this.extraFlags = List.copyOf(extraFlags);
     }
 
     /** How often its JVM has crashed or been silent. */
-    int deaths() {
+    public int deaths() {
         return deaths;
     }
 
     /** Answers all that is still asked with a failure. */
-    void giveUp(String why) {
+    public void giveUp(String why) {
         deaths = MAX_DEATHS;
         lastDeath = why;
     }
 
-    Protocol.Answer ask(Protocol.Request request, double limitSeconds) {
+    public Protocol.Answer ask(Protocol.Request request, double limitSeconds) {
         if (deaths >= MAX_DEATHS) {
             return Protocol.Answer.failed("not tried again: " + lastDeath, false);
         }
@@ -205,7 +205,7 @@ final class EngineProcess implements AutoCloseable {
     }
 
     /** Ends the engine's JVM, for tests of what happens then. */
-    void kill() {
+    public void kill() {
         Process running = process;
         if (running != null) {
             running.destroyForcibly();

@@ -1,4 +1,4 @@
-package dev.cairn.benchmarks.compare;
+package dev.cairn.benchmarks.compare.measure;
 
 import java.io.File;
 import java.io.IOException;
@@ -13,7 +13,7 @@ import java.util.Scanner;
 import java.util.stream.Stream;
 
 /** Describes what a report was measured on, as far as the system tells. */
-final class Machine {
+public final class Machine {
     /** Which word of the first line of /proc/stat is the stolen time (proc(5)). */
     private static final int STEAL_FIELD = 8;
 
@@ -22,7 +22,7 @@ final class Machine {
     private final long startNanos = System.nanoTime();
 
     /** Returns names and values; to be called at the end of the measurements. */
-    Map<String, String> describe() {
+    public Map<String, String> describe() {
         Map<String, String> facts = new LinkedHashMap<>();
         facts.put("processor", processor());
         facts.put(
@@ -64,7 +64,7 @@ final class Machine {
      * Returns what tells one build from another: size and newest time of the files on the class
      * path, of one jar or of folders of classes.
      */
-    static String build() {
+    public static String build() {
         long bytes = 0;
         FileTime newest = FileTime.fromMillis(0);
         for (String entry : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
@@ -83,7 +83,7 @@ final class Machine {
         return bytes + " bytes of " + newest;
     }
 
-    static String processor() {
+    public static String processor() {
         try {
             for (String line : Files.readAllLines(Path.of("/proc/cpuinfo"))) {
                 if (line.startsWith("model name")) {

@@ -1,4 +1,4 @@
-package dev.cairn.benchmarks.compare;
+package dev.cairn.benchmarks.compare.measure;
 
 import dev.cairn.benchmarks.peer.Peer;
 import dev.cairn.benchmarks.peer.SceneDescription;
@@ -25,9 +25,9 @@ import java.util.Map;
  * measures the overlaps. Metrics that read forces or contacts see none here and must not be drawn.
  * One thread.
  */
-final class Judge implements AutoCloseable {
+public final class Judge implements AutoCloseable {
     /** Overlaps of many or of many-sided bodies take long: fewer looks. */
-    static final int BODIES_PER_LOOK = 60;
+    public static final int BODIES_PER_LOOK = 60;
 
     /** At the end of the scene: the last quarter counts as rest. */
     private static final double REST = 0.75;
@@ -46,7 +46,7 @@ final class Judge implements AutoCloseable {
     private double deepestAtRest;
     private int ticks;
 
-    Judge(Case scene) {
+    public Judge(Case scene) {
         this.scene = scene;
         this.world =
                 PhysicsWorld.builder()
@@ -64,12 +64,12 @@ final class Judge implements AutoCloseable {
         this.stride = Math.max(1, bodies.size() * scene.lookCost() / BODIES_PER_LOOK);
     }
 
-    SceneDescription description() {
+    public SceneDescription description() {
         return description;
     }
 
     /** Sets the engine's gravity for the tick to come, if the scene turns it. */
-    static void turnGravity(SceneBuilder built, Peer peer, long tick) {
+    public static void turnGravity(SceneBuilder built, Peer peer, long tick) {
         double angle = built.gravityAngle(tick);
         if (angle != 0) {
             peer.setGravity(
@@ -79,12 +79,12 @@ final class Judge implements AutoCloseable {
         }
     }
 
-    SceneBuilder built() {
+    public SceneBuilder built() {
         return built;
     }
 
     /** Takes over the poses after one more tick; returns false if one of them is no number. */
-    boolean tick(Peer peer) {
+    public boolean tick(Peer peer) {
         peer.readPoses(poses);
         peer.readVelocities(velocities);
         built.beforeTick();
@@ -130,7 +130,7 @@ final class Judge implements AutoCloseable {
     }
 
     /** Returns the error that is drawn, NaN if the closed form never applied. */
-    double error() {
+    public double error() {
         if (scene.metric().equals(Case.REST_OVERLAP)) {
             return deepestAtRest;
         }
@@ -139,7 +139,7 @@ final class Judge implements AutoCloseable {
     }
 
     /** Returns all errors of the scene that are finite. */
-    Map<String, Double> errors() {
+    public Map<String, Double> errors() {
         Map<String, Double> finite = new LinkedHashMap<>();
         built.errors()
                 .forEach((name, value) -> {
@@ -150,7 +150,7 @@ final class Judge implements AutoCloseable {
         return finite;
     }
 
-    double deepest() {
+    public double deepest() {
         return deepest;
     }
 
