@@ -32,6 +32,7 @@ final class ApplicationHost implements Simulation.Host {
     public void update(double seconds) {
         application.scene().drive(seconds);
         application.update(seconds);
+        application.bindings().endTick(); // update is the last that may ask what was pressed
     }
 
     @Override

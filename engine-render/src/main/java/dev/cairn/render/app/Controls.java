@@ -63,7 +63,6 @@ final class Controls {
             }
         }
         bindings.reserve(keys);
-        bindings.endTick();
     }
 
     /** Lists the entities first: a pose that is set may move its entity between chunks. */

@@ -97,6 +97,16 @@ final class WindowInput {
     private double cursorX;
     private double cursorY;
 
+    /** How far the mouse has moved since the simulation was told, points. */
+    private double movedX;
+
+    private double movedY;
+
+    /** Of the window, screen coordinates. */
+    private double width = 1;
+
+    private double height = 1;
+
     WindowInput(Application application, Simulation simulation, long window) {
         this.application = application;
         this.simulation = simulation;
@@ -154,6 +164,8 @@ final class WindowInput {
             double widthPoints,
             double heightPoints,
             double pixelsPerPoint) {
+        width = widthPoints;
+        height = heightPoints;
         pointer.nextFrame();
         pressedNow.clear();
         captureCursor();
@@ -165,6 +177,7 @@ final class WindowInput {
         while (done < events && handle(done, panels, pixelsPerPoint)) {
             done++;
         }
+        tellMove(panels);
         keep(done);
         if (panels != null) {
             panels.input().end();
@@ -188,6 +201,7 @@ final class WindowInput {
         switch (kind[i]) {
             case KEY -> key(code[i], detail[i] & 3, detail[i] >> 2, panels);
             case BUTTON -> {
+                tellMove(panels); // whoever acts on the press finds the mouse where it was then
                 MouseButton button = MouseButton.ofCode(code[i]);
                 boolean down = detail[i] == GLFW_PRESS;
                 if (!down && pressedNow.contains(button)) {
@@ -342,7 +356,23 @@ final class WindowInput {
         }
     }
 
+    /** Hands the moves since the last call to the simulation, but for those over a panel. */
+    private void tellMove(@Nullable NuklearUi panels) {
+        double right = movedX;
+        double down = movedY;
+        movedX = 0;
+        movedY = 0;
+        if ((right == 0 && down == 0) || (panels != null && !captured && panels.wantsMouse())) {
+            return;
+        }
+        double toX = captured ? 0.5 : cursorX / width;
+        double toY = captured ? 0.5 : cursorY / height;
+        post(() -> bindings.mouse().move(toX, toY, right, down));
+    }
+
     private void look(double x, double y) {
+        movedX += x - cursorX;
+        movedY += y - cursorY;
         if (captured) {
             camera.turn(
                     (x - cursorX) * LOOK_RADIANS_PER_PIXEL, (cursorY - y) * LOOK_RADIANS_PER_PIXEL);

@@ -27,6 +27,7 @@ import java.util.stream.Collectors;
 public final class Bindings {
     private final Map<String, Runnable> functions = new LinkedHashMap<>();
     private final Map<String, DoubleConsumer> scrolls = new LinkedHashMap<>();
+    private final Mouse mouse = new Mouse();
     private final Map<Trigger, String> actionOf = new LinkedHashMap<>();
     private Map<Trigger, String> defaults = Map.of();
     private final EnumSet<Key> downKeys = EnumSet.noneOf(Key.class);
@@ -129,6 +130,15 @@ public final class Bindings {
     public Bindings onScroll(String action, DoubleConsumer function) {
         scrolls.put(checkAction(action), Objects.requireNonNull(function, "function"));
         return this;
+    }
+
+    /**
+     * Where the mouse is and how it moves, for {@code update} and for functions of its own.
+     *
+     * @return the same object each time; simulation thread
+     */
+    public Mouse mouse() {
+        return mouse;
     }
 
     /**
@@ -316,6 +326,7 @@ public final class Bindings {
     public void endTick() {
         pressedKeys.clear();
         pressedButtons.clear();
+        mouse.endTick();
     }
 
     /**

@@ -71,6 +71,7 @@ class ControlTest {
     private static void drive(Scene scene, int ticks) {
         for (int tick = 0; tick < ticks; tick++) {
             scene.drive(STEP);
+            scene.bindings().endTick();
             scene.physics().step(STEP);
         }
     }
