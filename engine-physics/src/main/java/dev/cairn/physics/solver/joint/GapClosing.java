@@ -13,7 +13,10 @@ abstract class GapClosing extends HoldingRows {
     /** Rounds in which gaps are closed aside, and down to which share of a body's size. */
     private static final int CLOSINGS = 4;
 
-    private static final double CLOSELY = 1e-8;
+    private static final double CLOSELY = 1e-4;
+
+    /** The same of what stands on something: blows open joints far, and one at a time. */
+    private static final double CLOSELY_STANDING = 1e-8;
 
     private final double[] turn = new double[3];
     private final InnerMotion inner = new InnerMotion();
@@ -24,9 +27,10 @@ abstract class GapClosing extends HoldingRows {
      */
     void close() {
         boolean isNoted = false;
+        double closely = s.standCount > 0 ? CLOSELY_STANDING : CLOSELY;
         for (int round = 0; round < (s.isDirect ? CLOSINGS : 1); round++) {
             double worst = gaps(round == 0);
-            if (!(worst > (round == 0 ? NEARLY : CLOSELY))) {
+            if (!(worst > (round == 0 ? NEARLY : closely))) {
                 break;
             }
             if (!isNoted && !s.isGrounded) {
@@ -48,7 +52,8 @@ abstract class GapClosing extends HoldingRows {
 
     /**
      * Writes what is open to {@link Assembly#now}; the worst, over its size. A step closes what the
-     * allowed speeds can, and no less than what the bodies' own turn may have opened: {@code w h}.
+     * allowed speeds can, and of what stands on something no less than what the bodies' own turn
+     * may have opened: {@code w h}.
      */
     double gaps(boolean begins) {
         double worst = 0;
@@ -82,6 +87,9 @@ abstract class GapClosing extends HoldingRows {
     }
 
     private double turned(SolverBodies body, int i) {
+        if (s.standCount == 0) {
+            return 0;
+        }
         int w = SolverBodies.offset(i) + 3;
         double x = body.world(i, w, 0);
         double y = body.world(i, w, 1);

@@ -51,8 +51,11 @@ public final class JointSolve extends VelocityHalf {
     /** Most sub-steps until Newton's method is tried again where it has failed. */
     static final int ROUGH = 128;
 
+    /** Rounds of Newton's method for what stands on something: light wheels turn far. */
+    private static final int STANDING = 24;
+
     /**
-     * What may be left after the last round, to be closed aside: far less than a failure leaves.
+     * What may be left after the last of them, to be closed aside: far less than a failure leaves.
      */
     private static final double ALMOST = 1e-7;
 
@@ -184,7 +187,9 @@ public final class JointSolve extends VelocityHalf {
             return;
         }
         double last = Double.POSITIVE_INFINITY;
-        for (int round = 0; round < ROUNDS; round++) {
+        int rounds = s.standCount > 0 ? STANDING : ROUNDS;
+        double almost = s.standCount > 0 ? ALMOST : NEARLY;
+        for (int round = 0; round < rounds; round++) {
             if (s.rough > 0) {
                 project(most);
                 break;
@@ -197,9 +202,9 @@ public final class JointSolve extends VelocityHalf {
             }
             boolean changed = !s.isRigid && hold(round);
             double worst = residuals();
-            boolean gains = worst <= 0.3 * last && round < ROUNDS - 1;
+            boolean gains = worst <= 0.3 * last && round < rounds - 1;
             boolean ends =
-                    !changed && worst <= (gains ? CLOSED : round < ROUNDS - 1 ? NEARLY : ALMOST);
+                    !changed && worst <= (gains ? CLOSED : round < rounds - 1 ? NEARLY : almost);
             if (s.isRigid && !(ends && stay)) {
                 restore();
             }
@@ -208,7 +213,7 @@ public final class JointSolve extends VelocityHalf {
                 return;
             }
             boolean fails = round > 1 && !changed && !(worst <= 4 * Math.max(last, NEARLY));
-            if (ends || fails || round == ROUNDS - 1) {
+            if (ends || fails || round == rounds - 1) {
                 if (ends && s.isRigid && stay) {
                     restore();
                 }
@@ -402,8 +407,9 @@ public final class JointSolve extends VelocityHalf {
     }
 
     /**
-     * Where Newton's method fails: its first round alone, and if that adds too much energy, what
-     * stops the bodies where joints hold them: {@code J(x) v' = 0}, which only takes energy away.
+     * Where Newton's method fails: its first round alone, and if that adds too much energy, no
+     * impulse at all. What stands on something is stopped where joints hold it then, {@code J(x) v'
+     * = 0}, which only takes energy away: its contacts are solved from there.
      */
     private void project(double most) {
         if (!isHeld) {
@@ -411,7 +417,9 @@ public final class JointSolve extends VelocityHalf {
         }
         if (isHeld || !(kinetic() <= most + work())) {
             release();
-            rest();
+            if (s.standCount > 0) {
+                rest();
+            }
         }
     }
 

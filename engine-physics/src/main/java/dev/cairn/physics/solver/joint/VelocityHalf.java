@@ -11,7 +11,7 @@ import java.util.Arrays;
  * they do not allow is taken from the velocities, {@code J(x') v = 0}.
  */
 abstract class VelocityHalf extends ContactCoupling {
-    static final int ROUNDS = 24;
+    static final int ROUNDS = 12;
 
     /**
      * Energy that impulses may add beside contacts. Those of a turning link turn with it and add
