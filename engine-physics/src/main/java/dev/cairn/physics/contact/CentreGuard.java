@@ -149,6 +149,7 @@ final class CentreGuard {
             fast = new boolean[colliders.poses.positionX.length];
             tied = new boolean[fast.length];
             held = new boolean[fast.length];
+            ties.ensureSlots(fast.length);
         }
         if (fastCount.length < bodyBlocks) {
             fastCount = new int[Blocks.count(colliders.poses.positionX.length, BODIES_PER_BLOCK)];
@@ -166,7 +167,6 @@ final class CentreGuard {
         int slots = colliders.bodies.slotCount;
         Arrays.fill(tied, 0, slots, false);
         Arrays.fill(held, 0, slots, false);
-        ties.ensureSlots(slots);
         ties.begin(dynamic, dynamicCount);
         byte[] kind = colliders.bodies.kind;
         for (int pass = 0; pass < 2; pass++) {
