@@ -37,6 +37,9 @@ final class Ladder {
     private static final Mix REST = new Mix(0, 0, 0, 50, 100, 0, 50, 0, 0, 0.6);
     private static final Mix SMOOTH_REST = new Mix(0, 0, 0, 50, 100, 0, 50, 0, 0, 0);
 
+    private static final Mix PAIR_IN_FLIGHT = new Mix(200, 200, 1, 0, 0, 0, 0, 0, 0, 0.6);
+    private static final Mix PAIR_BESIDE_REST = new Mix(0, 0, 1, 50, 100, 0, 50, 0, 0, 0.6);
+
     private static final Mix ROLLING_FLIGHT = FLIGHT.withRollingArm(1e-3);
     private static final Mix ROLLING_REST = REST.withRollingArm(1e-3);
     private static final Mix BOUNCY_REST = REST.withRestitution(0.2);
@@ -104,6 +107,20 @@ final class Ladder {
                             REST.withFilters(),
                             ON,
                             REST,
+                            ON),
+                    new Rung(
+                            "one rod beside it",
+                            false,
+                            PAIR_IN_FLIGHT.withRods(1),
+                            ON,
+                            PAIR_IN_FLIGHT,
+                            ON),
+                    new Rung(
+                            "one rod beside it",
+                            false,
+                            PAIR_BESIDE_REST.withRods(1),
+                            ON,
+                            PAIR_BESIDE_REST,
                             ON),
                     new Rung("friction", false, FLIGHT, ON, SMOOTH_FLIGHT, ON),
                     new Rung("rolling friction", false, ROLLING_FLIGHT, ON, FLIGHT, ON),

@@ -1,11 +1,13 @@
 package dev.cairn.benchmarks.cost;
 
 import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Contacts;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.collider.Filter;
+import dev.cairn.physics.joint.Joint;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -31,6 +33,7 @@ import java.util.SplittableRandom;
  * @param rollingArm of all, m, 0 for none
  * @param restitution of all but the balls that bounce
  * @param filtered whether each has a filter, which lets it meet all others
+ * @param rods pairs that a rod holds, the first of those that fly side by side
  */
 record Mix(
         int flyingSpheres,
@@ -46,7 +49,8 @@ record Mix(
         double bounceHeight,
         double rollingArm,
         double restitution,
-        boolean filtered) {
+        boolean filtered,
+        int rods) {
     /** From so many contacts on the solver may take its wide kernels. */
     private static final int WIDE_FROM = 256;
 
@@ -100,7 +104,8 @@ record Mix(
                 1,
                 0,
                 0,
-                false);
+                false,
+                0);
     }
 
     /** The same with rolling friction. */
@@ -119,7 +124,8 @@ record Mix(
                 bounceHeight,
                 metres,
                 restitution,
-                filtered);
+                filtered,
+                rods);
     }
 
     /** The same with another restitution. */
@@ -138,7 +144,8 @@ record Mix(
                 bounceHeight,
                 rollingArm,
                 ratio,
-                filtered);
+                filtered,
+                rods);
     }
 
     /** The same with a filter on each body. */
@@ -157,7 +164,28 @@ record Mix(
                 bounceHeight,
                 rollingArm,
                 restitution,
-                true);
+                true,
+                rods);
+    }
+
+    /** The same with rods. */
+    Mix withRods(int count) {
+        return new Mix(
+                flyingSpheres,
+                flyingBoxes,
+                nearPairs,
+                restingSpheres,
+                restingCubes,
+                edgeCubes,
+                columns,
+                bouncing,
+                fixed,
+                friction,
+                bounceHeight,
+                rollingArm,
+                restitution,
+                filtered,
+                count);
     }
 
     /**
@@ -192,7 +220,8 @@ record Mix(
                 StrictMath.exp(random.nextDouble(-2, 3)),
                 0,
                 0,
-                false);
+                false,
+                0);
     }
 
     /** Contacts that last. */
@@ -216,8 +245,11 @@ record Mix(
             grid.next().fly(brick, 0);
         }
         for (int i = 0; i < nearPairs; i++) {
-            grid.next().fly(ball, -0.52);
-            grid.fly(ball, 0.52);
+            BodyRef left = grid.next().flying(ball, -0.52);
+            BodyRef right = grid.flying(ball, 0.52);
+            if (i < rods) {
+                world.add(Joint.rod(left, right));
+            }
         }
         for (int i = 0; i < restingSpheres; i++) {
             grid.next().fix(plate).rest(ball, 0.5);
@@ -328,14 +360,18 @@ record Mix(
         }
 
         Grid fly(Shape shape, double aside) {
-            world.add(
+            flying(shape, aside);
+            return this;
+        }
+
+        BodyRef flying(Shape shape, double aside) {
+            return world.add(
                     Body.dynamic()
                             .shape(shape)
                             .at(x + aside, 50, z)
                             .angularVelocity(1, 2, 3)
                             .filter(filter)
                             .material(material));
-            return this;
         }
 
         Grid rest(Shape shape, double height) {

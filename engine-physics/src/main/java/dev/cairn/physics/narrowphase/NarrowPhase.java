@@ -1,5 +1,6 @@
 package dev.cairn.physics.narrowphase;
 
+import dev.cairn.physics.internal.MovedTurn;
 import dev.cairn.physics.narrowphase.clip.ContactPoints;
 import dev.cairn.physics.narrowphase.curved.CurvedPairs;
 import dev.cairn.physics.narrowphase.gjk.Epa;
@@ -352,14 +353,10 @@ public final class NarrowPhase {
     }
 
     private void turn(double qx, double qy, double qz, double qw, Moved m) {
-        double mx = m.rotationX();
-        double my = m.rotationY();
-        double mz = m.rotationZ();
-        double mw = m.rotationW();
-        tx = qw * mx + qx * mw + qy * mz - qz * my;
-        ty = qw * my - qx * mz + qy * mw + qz * mx;
-        tz = qw * mz + qx * my - qy * mx + qz * mw;
-        tw = qw * mw - qx * mx - qy * my - qz * mz;
+        tx = MovedTurn.x(m, qx, qy, qz, qw);
+        ty = MovedTurn.y(m, qx, qy, qz, qw);
+        tz = MovedTurn.z(m, qx, qy, qz, qw);
+        tw = MovedTurn.w(m, qx, qy, qz, qw);
     }
 
     private void begin(

@@ -1,5 +1,6 @@
 package dev.cairn.physics.query;
 
+import dev.cairn.physics.internal.MovedTurn;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.ConvexHull;
@@ -57,14 +58,10 @@ final class MeshQueries {
         qz = mesh.qz;
         qw = mesh.qw;
         if (mesh.shape instanceof Moved m) {
-            double x = m.rotationX();
-            double y = m.rotationY();
-            double z = m.rotationZ();
-            double w = m.rotationW();
-            double rx = qw * x + qx * w + qy * z - qz * y;
-            double ry = qw * y - qx * z + qy * w + qz * x;
-            double rz = qw * z + qx * y - qy * x + qz * w;
-            qw = qw * w - qx * x - qy * y - qz * z;
+            double rx = MovedTurn.x(m, qx, qy, qz, qw);
+            double ry = MovedTurn.y(m, qx, qy, qz, qw);
+            double rz = MovedTurn.z(m, qx, qy, qz, qw);
+            qw = MovedTurn.w(m, qx, qy, qz, qw);
             qx = rx;
             qy = ry;
             qz = rz;

@@ -403,11 +403,11 @@ public final class ContactSolver {
             if (riders.found) {
                 p.ride(sub, k, from, to, own);
             }
-            p.beginJoints(sub, k, firstJoined, endJoined, own);
+            p.joints.begin(sub, k, firstJoined, endJoined, own);
             for (int c = first; c < last; c++) {
                 p.bias(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
             }
-            p.closeJoints(sub, firstJoined, endJoined, own);
+            p.joints.close(sub, firstJoined, endJoined, own);
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
             }
@@ -416,7 +416,7 @@ public final class ContactSolver {
             }
             p.carry(sub, b, own);
             p.drift(sub, head, tail);
-            p.placeJoints(firstJoined, endJoined);
+            p.joints.place(firstJoined, endJoined);
             p.moveSides(sub, b);
             if (bounces) {
                 p.limit(sub, head, tail);
@@ -427,14 +427,14 @@ public final class ContactSolver {
                 p.renewBodies(head, tail);
                 p.renewRows(sub, k, from, to, own);
             }
-            p.turnJoints(sub, firstJoined, endJoined, own);
+            p.joints.turn(sub, firstJoined, endJoined, own);
             for (int c = first; c < last; c++) {
                 p.relax(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
             }
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, false, own);
             }
-            p.stopJoints(sub, firstJoined, endJoined, own);
+            p.joints.stop(sub, firstJoined, endJoined, own);
             p.finish(sub, head, tail, own);
             if (small && tick.body.boundsEnergy) {
                 energy.bound(tick, head, tail);

@@ -75,25 +75,25 @@ final class LockstepJoints {
 
     private void begin(int block, int worker) {
         int a = first + block;
-        passes.beginJoints(pace, substep, a, a + 1, benches[worker]);
+        passes.joints.begin(pace, substep, a, a + 1, benches[worker]);
     }
 
     private void close(int block, int worker) {
         int a = first + block;
-        passes.closeJoints(pace, a, a + 1, benches[worker]);
+        passes.joints.close(pace, a, a + 1, benches[worker]);
     }
 
     private void place(int block, int worker) {
-        passes.placeJoints(first + block, first + block + 1);
+        passes.joints.place(first + block, first + block + 1);
     }
 
     private void turn(int block, int worker) {
         int a = first + block;
-        passes.turnJoints(pace, a, a + 1, benches[worker]);
+        passes.joints.turn(pace, a, a + 1, benches[worker]);
     }
 
     private void stop(int block, int worker) {
         int a = first + block;
-        passes.stopJoints(pace, a, a + 1, benches[worker]);
+        passes.joints.stop(pace, a, a + 1, benches[worker]);
     }
 }

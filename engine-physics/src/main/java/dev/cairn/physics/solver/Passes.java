@@ -11,8 +11,6 @@ import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Bouncers;
 import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.joint.Assemblies;
-import dev.cairn.physics.solver.joint.Assembly;
-import dev.cairn.physics.solver.joint.Swing;
 import dev.cairn.physics.solver.kernel.Rescaling;
 import dev.cairn.physics.solver.kernel.ScalarPasses;
 import dev.cairn.physics.solver.kernel.ScalarSweep;
@@ -54,6 +52,7 @@ final class Passes {
     final DirectIslands direct;
     final Bouncers bouncers;
     final Assemblies assemblies;
+    final JointPasses joints;
     private final DrivenSides sides;
 
     /**
@@ -85,6 +84,7 @@ final class Passes {
         this.riders = riders;
         this.direct = direct;
         one = rows.isSingle ? new SingleScalarSweep() : new ScalarSweep();
+        joints = new JointPasses(tick, rows, assemblies, renewal);
         starts = rows.isSingle ? new SingleStartSweep() : new StartSweep();
     }
 
@@ -360,89 +360,6 @@ final class Passes {
             bench.swing.run(tick, sub, assemblies.store, assemblies.at(a));
         }
         storeBodies(from, to);
-    }
-
-    /**
-     * Joints' impulses of the last sub-step, for contacts to be swept with.
-     *
-     * @param index of the sub-step
-     * @param from first assembly
-     */
-    void beginJoints(SubStep sub, int index, int from, int to, Workbench bench) {
-        for (int a = from; a < to; a++) {
-            open(sub, a, bench);
-            if (index == 0) {
-                bench.joints.begin(sub);
-            }
-            bench.joints.account(sub);
-            bench.joints.warm(index == 0 ? sub.fillScale : 1);
-            show(assemblies.at(a));
-            bench.joints.sweeps(false);
-        }
-    }
-
-    /** Closes joints at the end of the bias pass. */
-    void closeJoints(SubStep sub, int from, int to, Workbench bench) {
-        for (int a = from; a < to; a++) {
-            takeOver(assemblies.at(a));
-            open(sub, a, bench);
-            bench.joints.sweeps(true);
-            if (assemblies.at(a).isTaut()) {
-                bench.swing.cross(tick, sub, assemblies.store, assemblies.at(a));
-            } else {
-                bench.joints.position(sub, rows);
-            }
-            show(assemblies.at(a));
-        }
-    }
-
-    /** After the drift: bodies of taut joints come to where smaller steps have led. */
-    void placeJoints(int from, int to) {
-        for (int a = from; a < to; a++) {
-            Swing.place(tick, assemblies.at(a));
-            show(assemblies.at(a));
-        }
-    }
-
-    /** Gives joints the derivatives of the new poses. */
-    void turnJoints(SubStep sub, int from, int to, Workbench bench) {
-        for (int a = from; a < to; a++) {
-            open(sub, a, bench);
-            bench.joints.turn(renewal);
-            boolean counts = !assemblies.at(a).isTaut();
-            bench.joints.beginVelocity(counts, counts);
-            show(assemblies.at(a));
-            bench.joints.sweeps(false);
-        }
-    }
-
-    /** Stops what joints do not allow, at the end of the relax pass. */
-    void stopJoints(SubStep sub, int from, int to, Workbench bench) {
-        for (int a = from; a < to; a++) {
-            takeOver(assemblies.at(a));
-            open(sub, a, bench);
-            bench.joints.sweeps(true);
-            bench.joints.velocity(sub, !assemblies.at(a).isTaut(), rows);
-            bench.joints.settle();
-            show(assemblies.at(a));
-        }
-    }
-
-    private void open(SubStep sub, int a, Workbench bench) {
-        bench.joints.open(tick, sub, assemblies.store, assemblies.at(a));
-    }
-
-    private void show(Assembly assembly) {
-        for (int i : assembly.body) {
-            round(i);
-        }
-    }
-
-    private void takeOver(Assembly assembly) {
-        for (int i : assembly.body) {
-            add(i);
-            round(i);
-        }
     }
 
     /** What the contacts of such an island have learnt of their loads. */

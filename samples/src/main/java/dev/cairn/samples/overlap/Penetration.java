@@ -2,6 +2,7 @@ package dev.cairn.samples.overlap;
 
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.ColliderRef;
+import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Moved;
@@ -38,8 +39,8 @@ public final class Penetration {
     private Penetration() {}
 
     /**
-     * The deepest overlap among bodies. Pairs of two fixed bodies do not count, nor do those that a
-     * joint keeps from colliding.
+     * The deepest overlap among bodies. Pairs of which neither is dynamic do not count, as none of
+     * them answers, nor do those that a joint keeps from colliding.
      *
      * @param bodies any bodies; those that were removed are skipped
      * @param joints between them
@@ -73,7 +74,7 @@ public final class Penetration {
             boolean isSurface = inner instanceof TriangleMesh || inner instanceof HeightField;
             if (!part.isSensor() && !isSurface) {
                 Solid solid = Solid.of(shape, body.position(), body.orientation());
-                entries.add(new Entry(solid, body.isFixed(), body));
+                entries.add(new Entry(solid, body.type() != BodyType.DYNAMIC, body));
             }
         }
     }
@@ -99,7 +100,7 @@ public final class Penetration {
         return depth(Solid.of(a, positionA, rotationA), Solid.of(b, positionB, rotationB));
     }
 
-    private record Entry(Solid solid, boolean fixed, BodyRef body) {}
+    private record Entry(Solid solid, boolean firm, BodyRef body) {}
 
     /** Two entities that may overlap. */
     private record Partners(long a, long b) {}
@@ -117,7 +118,7 @@ public final class Penetration {
                     continue;
                 }
                 open.set(kept++, other);
-                if (!(entry.fixed && other.fixed)
+                if (!(entry.firm && other.firm)
                         && entry.body != other.body
                         && entry.solid.mayTouch(other.solid)
                         && !partners.contains(
@@ -140,7 +141,7 @@ public final class Penetration {
             double squares = 0;
             int n = 0;
             for (Entry entry : entries) {
-                if (!entry.fixed) {
+                if (!entry.firm) {
                     sum += entry.solid.centre[axis];
                     squares += entry.solid.centre[axis] * entry.solid.centre[axis];
                     n++;

@@ -1,5 +1,6 @@
 package dev.cairn.physics.narrowphase.mesh;
 
+import dev.cairn.physics.internal.MovedTurn;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 
@@ -48,14 +49,10 @@ final class MeshFrame {
     }
 
     private void turn(Moved m) {
-        double x = m.rotationX();
-        double y = m.rotationY();
-        double z = m.rotationZ();
-        double w = m.rotationW();
-        double rx = qw * x + qx * w + qy * z - qz * y;
-        double ry = qw * y - qx * z + qy * w + qz * x;
-        double rz = qw * z + qx * y - qy * x + qz * w;
-        qw = qw * w - qx * x - qy * y - qz * z;
+        double rx = MovedTurn.x(m, qx, qy, qz, qw);
+        double ry = MovedTurn.y(m, qx, qy, qz, qw);
+        double rz = MovedTurn.z(m, qx, qy, qz, qw);
+        qw = MovedTurn.w(m, qx, qy, qz, qw);
         qx = rx;
         qy = ry;
         qz = rz;

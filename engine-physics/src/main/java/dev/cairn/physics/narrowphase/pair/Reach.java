@@ -1,5 +1,6 @@
 package dev.cairn.physics.narrowphase.pair;
 
+import dev.cairn.physics.internal.MovedTurn;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;
@@ -67,15 +68,11 @@ public final class Reach {
         qz = oz;
         qw = ow;
         if (value instanceof Moved m) {
-            double mx = m.rotationX();
-            double my = m.rotationY();
-            double mz = m.rotationZ();
-            double mw = m.rotationW();
             shape = m.inner();
-            qx = ow * mx + ox * mw + oy * mz - oz * my;
-            qy = ow * my - ox * mz + oy * mw + oz * mx;
-            qz = ow * mz + ox * my - oy * mx + oz * mw;
-            qw = ow * mw - ox * mx - oy * my - oz * mz;
+            qx = MovedTurn.x(m, ox, oy, oz, ow);
+            qy = MovedTurn.y(m, ox, oy, oz, ow);
+            qz = MovedTurn.z(m, ox, oy, oz, ow);
+            qw = MovedTurn.w(m, ox, oy, oz, ow);
         }
         if (!(shape instanceof Polyhedral) && !(shape instanceof HalfSpace)) {
             solid.set(shape);

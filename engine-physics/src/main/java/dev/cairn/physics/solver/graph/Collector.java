@@ -129,6 +129,7 @@ public final class Collector implements Stateful {
             bind(guide);
             batches.cut(list, slots, guide, workerCount, floatsFrom, assemblies);
             listSides();
+            assemblies.stand(list);
         }
         if (!sameList || isAnew) {
             listBouncers();
@@ -140,7 +141,6 @@ public final class Collector implements Stateful {
             colouring.finish(list, batches);
             link();
         }
-        assemblies.stand(list);
         return stacked;
     }
 

@@ -107,7 +107,7 @@ public final class Assemblies implements Stateful {
         return !same;
     }
 
-    /** Notes which contacts of a tick are between an assembly and what does not move. */
+    /** Notes which contacts of a list are between an assembly and what does not move. */
     public void stand(EdgeList list) {
         for (int a = 0; a < all.size(); a++) {
             all.get(a).standCount = 0;

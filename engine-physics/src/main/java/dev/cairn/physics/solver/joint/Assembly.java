@@ -8,18 +8,6 @@ import java.util.Arrays;
  * <p>Made by {@link Assemblies} when joints come, go, sleep or wake.
  */
 public final class Assembly {
-    /** Edges of its contacts with what does not move, of this tick; how many there are. */
-    int[] stand = {};
-
-    int standCount;
-
-    /**
-     * By point of these: impulse that {@link ContactCoupling} gave in the sub-step; whether any.
-     */
-    double[] given = {};
-
-    boolean gives;
-
     /** Patience beyond which it is taken to fail always. */
     private static final int ROUGH = 16;
 
@@ -120,6 +108,20 @@ public final class Assembly {
     final double[] speed;
 
     final double[] noted;
+
+    /**
+     * Edges of its contacts with what does not move, by the list of the tick; how many there are.
+     */
+    int[] stand = {};
+
+    int standCount;
+
+    /**
+     * By point of these: impulse that {@link ContactCoupling} gave in the sub-step; whether any.
+     */
+    double[] given = {};
+
+    boolean gives;
 
     /** Notes a contact with what does not move. */
     void stand(int edge) {

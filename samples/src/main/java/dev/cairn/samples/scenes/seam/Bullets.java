@@ -12,6 +12,8 @@ import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneView;
 
+import org.joml.Vector3d;
+
 import java.util.ArrayList;
 import java.util.List;
 
@@ -89,14 +91,54 @@ public final class Bullets {
                                     .velocity(speed, 0, 0)));
         }
         scene.view(new SceneView(-8, high / 2, wide, 0, high / 2, 0));
-        scene.error(
-                "passed",
-                () -> {
-                    int passed = 0;
-                    for (BodyRef body : bodies) {
-                        passed += body.position().x > thick / 2 ? 1 : 0;
-                    }
-                    return passed;
-                });
+        Passes passes = new Passes(bodies, thick / 2, high / 2, high / 2 + 20, wide);
+        scene.afterTick((tick, seconds) -> passes.look());
+        scene.error("passed", () -> passes.count);
+    }
+
+    /** Counts who comes out behind the wall having been before it, and not round its edge. */
+    private static final class Passes {
+        private final List<BodyRef> bodies;
+        private final double face;
+        private final double middle;
+        private final double halfHigh;
+        private final double halfWide;
+        private final double[] before;
+        private final Vector3d at = new Vector3d();
+        private int count;
+
+        Passes(List<BodyRef> bodies, double face, double middle, double halfHigh, double halfWide) {
+            this.bodies = bodies;
+            this.face = face;
+            this.middle = middle;
+            this.halfHigh = halfHigh;
+            this.halfWide = halfWide;
+            before = new double[3 * bodies.size()];
+            for (int i = 0; i < bodies.size(); i++) {
+                note(i);
+            }
+        }
+
+        private void note(int i) {
+            bodies.get(i).position(at);
+            before[3 * i] = at.x;
+            before[3 * i + 1] = at.y;
+            before[3 * i + 2] = at.z;
+        }
+
+        void look() {
+            for (int i = 0; i < bodies.size(); i++) {
+                double x = before[3 * i];
+                double y = before[3 * i + 1];
+                double z = before[3 * i + 2];
+                note(i);
+                if (x <= face && at.x > face) {
+                    double way = (face - x) / (at.x - x);
+                    double high = Math.abs(y + way * (at.y - y) - middle);
+                    boolean meets = high < halfHigh && Math.abs(z + way * (at.z - z)) < halfWide;
+                    count += meets ? 1 : 0;
+                }
+            }
+        }
     }
 }

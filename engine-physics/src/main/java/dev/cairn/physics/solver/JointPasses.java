@@ -1,0 +1,127 @@
+package dev.cairn.physics.solver;
+
+import dev.cairn.physics.solver.body.SolverContext;
+import dev.cairn.physics.solver.joint.Assemblies;
+import dev.cairn.physics.solver.joint.Assembly;
+import dev.cairn.physics.solver.joint.Swing;
+import dev.cairn.physics.solver.refresh.JacobianRefresh;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.SubStep;
+
+/**
+ * What joints do between the passes of the rows, in a sub-step with contacts; each over a range of
+ * assemblies.
+ *
+ * <p>Any worker; an assembly is one worker's at a time. Does not allocate.
+ */
+final class JointPasses {
+    private final SolverContext tick;
+    private final ConstraintRows rows;
+    private final Assemblies assemblies;
+    private final JacobianRefresh renewal;
+
+    /**
+     * Passes beside the rows of one precision.
+     *
+     * @param renewal knows which bodies it gives the root of their inertia
+     */
+    JointPasses(
+            SolverContext tick,
+            ConstraintRows rows,
+            Assemblies assemblies,
+            JacobianRefresh renewal) {
+        this.tick = tick;
+        this.rows = rows;
+        this.assemblies = assemblies;
+        this.renewal = renewal;
+    }
+
+    /**
+     * Joints' impulses of the last sub-step, for contacts to be swept with.
+     *
+     * @param index of the sub-step
+     * @param from first assembly
+     */
+    void begin(SubStep sub, int index, int from, int to, Workbench bench) {
+        for (int a = from; a < to; a++) {
+            open(sub, a, bench);
+            if (index == 0) {
+                bench.joints.begin(sub);
+            }
+            bench.joints.account(sub);
+            bench.joints.warm(index == 0 ? sub.fillScale : 1);
+            show(assemblies.at(a));
+            bench.joints.sweeps(false);
+        }
+    }
+
+    /** Closes joints at the end of the bias pass. */
+    void close(SubStep sub, int from, int to, Workbench bench) {
+        for (int a = from; a < to; a++) {
+            takeOver(assemblies.at(a));
+            open(sub, a, bench);
+            bench.joints.sweeps(true);
+            if (assemblies.at(a).isTaut()) {
+                bench.swing.cross(tick, sub, assemblies.store, assemblies.at(a));
+            } else {
+                bench.joints.position(sub, rows);
+            }
+            show(assemblies.at(a));
+        }
+    }
+
+    /** After the drift: bodies of taut joints come to where smaller steps have led. */
+    void place(int from, int to) {
+        for (int a = from; a < to; a++) {
+            Swing.place(tick, assemblies.at(a));
+            show(assemblies.at(a));
+        }
+    }
+
+    /** Gives joints the derivatives of the new poses. */
+    void turn(SubStep sub, int from, int to, Workbench bench) {
+        for (int a = from; a < to; a++) {
+            open(sub, a, bench);
+            bench.joints.turn(renewal);
+            boolean counts = !assemblies.at(a).isTaut();
+            bench.joints.beginVelocity(counts, counts);
+            show(assemblies.at(a));
+            bench.joints.sweeps(false);
+        }
+    }
+
+    /** Stops what joints do not allow, at the end of the relax pass. */
+    void stop(SubStep sub, int from, int to, Workbench bench) {
+        for (int a = from; a < to; a++) {
+            takeOver(assemblies.at(a));
+            open(sub, a, bench);
+            bench.joints.sweeps(true);
+            bench.joints.velocity(sub, !assemblies.at(a).isTaut(), rows);
+            bench.joints.settle();
+            show(assemblies.at(a));
+        }
+    }
+
+    private void open(SubStep sub, int a, Workbench bench) {
+        bench.joints.open(tick, sub, assemblies.store, assemblies.at(a));
+    }
+
+    /** Shows the sweeps its bodies as they are now. */
+    private void show(Assembly assembly) {
+        for (int i : assembly.body) {
+            if (rows.isSingle) {
+                tick.body.round(i);
+            }
+        }
+    }
+
+    /** Takes over what the sweeps have done to its bodies. */
+    private void takeOver(Assembly assembly) {
+        for (int i : assembly.body) {
+            if (rows.isSingle) {
+                tick.body.add(i);
+                tick.body.round(i);
+            }
+        }
+    }
+}
