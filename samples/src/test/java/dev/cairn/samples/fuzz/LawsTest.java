@@ -28,7 +28,14 @@ final class LawsTest {
     private static final double MOST_SPIN = 180;
 
     private static final List<Law> KEPT =
-            List.of(Law.ENERGY, Law.MOMENTUM, Law.WALLS, Law.BITS, Law.FINITE, Law.FAILURE);
+            List.of(
+                    Law.ENERGY,
+                    Law.MOMENTUM,
+                    Law.WALLS,
+                    Law.GAP,
+                    Law.BITS,
+                    Law.FINITE,
+                    Law.FAILURE);
 
     /** Worlds of several bodies, of which 24 of 142 had other bits with 4 lanes than with one. */
     @Test
@@ -47,16 +54,19 @@ final class LawsTest {
     /**
      * Small worlds of the corners whose energy holds: in a house and in a room those without
      * restitution and without bodies that turn by more than 3 rad a tick; in space, where a hit may
-     * gain up to 2e-3, all other laws. Without the bound by island 3 of 300 in a house, 17 of 300
-     * in a room and 6 of 300 in space gain, up to 1700 times what they had.
+     * gain up to 2e-3, all other laws. Without contacts that are solved with joints, two machines
+     * have gaps, up to 0.18. Without the bound by island 3 of 300 in a house, 17 of 300 in a room
+     * and 6 of 300 in space gain, up to 1700 times what they had.
      */
     @ParameterizedTest(name = "{0}, seed 2")
-    @CsvSource({"HOUSE, 2500", "ROOM, 2500", "SPACE, 2500", "LEVEL, 800", "MACHINE, 400"})
+    @CsvSource({"HOUSE, 2500", "ROOM, 2500", "SPACE, 2500", "LEVEL, 800", "MACHINE, 800"})
     void energyAndMomentumAreKept(Family family, int worlds) {
         for (int i = 0; i < worlds; i++) {
             FuzzWorld fuzz = WorldGenerator.world(SEED + 1, i, family);
             if (fuzz.movers() < 6 && holds(fuzz)) {
-                FuzzWorld brief = fuzz.lasting(60, fuzz.scene().tick().substeps());
+                // machines fall from higher up
+                int ticks = family == Family.MACHINE ? 120 : 60;
+                FuzzWorld brief = fuzz.lasting(ticks, fuzz.scene().tick().substeps());
                 Map<Law, Breach> broken = Laws.broken(brief, false);
                 for (Law law : KEPT) {
                     Breach breach = broken.get(law);
