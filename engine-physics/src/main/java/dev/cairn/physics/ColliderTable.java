@@ -8,6 +8,7 @@ import dev.cairn.physics.broadphase.PairFilter;
 import dev.cairn.physics.internal.BodyMass;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.GivenMass;
 import dev.cairn.physics.internal.GivenMasses;
@@ -234,7 +235,7 @@ final class ColliderTable implements Stateful {
         }
         surface(c, now(c).material(material));
         colliders.measure(colliders.body[c]);
-        contacts().mixAll(c, colliders);
+        ContactMaterials.mixAll(contacts(), c, colliders);
         table.roster.changed(colliders.body[c]);
         table.changes.wakeAround(colliders.body[c]);
     }
@@ -340,7 +341,7 @@ final class ColliderTable implements Stateful {
         GroundEdit.wake(colliders, table.sleepers, collider, after);
         colliders.replace(collider, collider == body ? whole.placed : whole.solid());
         specs[collider] = whole;
-        contacts().mixAll(collider, colliders);
+        ContactMaterials.mixAll(contacts(), collider, colliders);
         colliders.measure(body);
         table.roster.changed(body);
         return true;

@@ -214,11 +214,8 @@ public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met
     }
 
     private @Nullable BodyRef answer(int winner) {
-        if (winner == NONE) {
-            return null;
-        }
-        last = table.collision.ref(winner);
-        return last.body();
+        last = winner == NONE ? last : table.collision.ref(winner);
+        return winner == NONE ? null : last.body();
     }
 
     /**
@@ -378,8 +375,7 @@ public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met
             for (int d = k.bodies.collider[slotB]; d != NONE; d = k.next[d]) {
                 candidates.aim(c, other);
                 candidates.aim(d, target);
-                boolean asked = sensors || !(k.sensor[c] || k.sensor[d]);
-                if (asked
+                if ((sensors || !(k.sensor[c] || k.sensor[d]))
                         && shapes.timeOfImpact(other, motionA, target, motionB, limit, hit)
                         && (winner == NONE || hit.seconds() < limit)) {
                     limit = hit.seconds();

@@ -5,6 +5,7 @@ import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.tuning.Tuning;
 
@@ -50,7 +51,7 @@ public final class StageSet implements AutoCloseable {
                 int row = s * PairSet.SIZE + i;
                 colliders.attach(2 * row, sets[s].a[i]);
                 colliders.attach(2 * row + 1, sets[s].b[i]);
-                rows.join(row, colliders, 2 * row, 2 * row + 1);
+                ContactMaterials.join(rows, row, colliders, 2 * row, 2 * row + 1);
                 turn(2 * row, sets[s].turnA[i]);
                 // Moving bodies do not expect to be at the same place in the next tick.
                 bodies.velocityX[2 * row + 1] = 0.5;

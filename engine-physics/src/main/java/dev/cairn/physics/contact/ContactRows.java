@@ -7,6 +7,7 @@ import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
 
@@ -261,7 +262,7 @@ public final class ContactRows {
                     c.beginGroups();
                     c.group[row] = groups.open();
                 }
-                c.join(row++, colliders, a, b);
+                ContactMaterials.join(c, row++, colliders, a, b);
             }
         }
     }

@@ -1,6 +1,7 @@
 package dev.cairn.physics.contact;
 
 import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
 
@@ -104,7 +105,7 @@ final class PatchRows {
         double z = c.normalZ(leader) - sign * c.normalZ(row);
         return x * x + y * y + z * z <= SAME
                 && colliders.bodies.movesWith(other(body, leader), other(body, row))
-                && c.isAlike(leader, row);
+                && ContactMaterials.isAlike(c, leader, row);
     }
 
     private boolean isSecond(int body, int row) {
@@ -135,7 +136,7 @@ final class PatchRows {
         arrange();
         ContactStore c = contacts;
         int leader = member[from];
-        c.joinLike(row, leader, colliders);
+        ContactMaterials.joinLike(c, row, leader, colliders);
         c.forgetFriction(row);
         c.pointCount[row] = corners;
         for (int k = 0; k < corners; k++) {

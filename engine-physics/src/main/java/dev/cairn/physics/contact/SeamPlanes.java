@@ -2,6 +2,7 @@ package dev.cairn.physics.contact;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.NarrowPhase;
@@ -364,8 +365,8 @@ final class SeamPlanes {
         }
         ContactStore c = contacts;
         int like = row(leader);
-        c.join(row, colliders, isSecond ? base : m, isSecond ? m : base);
-        c.rubLike(row, like);
+        ContactMaterials.join(c, row, colliders, isSecond ? base : m, isSecond ? m : base);
+        ContactMaterials.rubLike(c, row, like);
         c.cache[row] = key;
         boolean isKnown = record >= 0;
         if (isKnown) {
@@ -485,7 +486,7 @@ final class SeamPlanes {
                             y - apart[3 * k + 1],
                             z - apart[3 * k + 2],
                             2 * slack(k));
-            if (holds && contacts.isAlike(row(k), row(leader))) {
+            if (holds && ContactMaterials.isAlike(contacts, row(k), row(leader))) {
                 return true;
             }
         }

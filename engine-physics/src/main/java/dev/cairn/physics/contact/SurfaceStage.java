@@ -4,6 +4,7 @@ import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.MovedTurn;
 import dev.cairn.physics.internal.Poses;
@@ -128,7 +129,8 @@ final class SurfaceStage {
             for (; missing > 0; missing--) {
                 int row = c.count;
                 c.append(1);
-                c.join(row, colliders, c.colliderA[first[i]], c.colliderB[first[i]]);
+                ContactMaterials.join(
+                        c, row, colliders, c.colliderA[first[i]], c.colliderB[first[i]]);
                 int group = c.group[first[i]];
                 c.group[row] = -group;
                 groups.append(c, group, row);
@@ -266,7 +268,7 @@ final class SurfaceStage {
         if (contacts.triangle[row] != triangle + 1) {
             contacts.triangle[row] = triangle + 1;
             if (colliders.palette.length > 0) {
-                contacts.mix(row, colliders);
+                ContactMaterials.mix(contacts, row, colliders);
             }
         }
     }

@@ -96,27 +96,15 @@ public final class TouchEvents implements Stateful {
         double most = 0;
         int first = ContactStore.POINTS * row;
         for (int p = first; p < first + c.pointCount[row]; p++) {
-            double x = velocityX(b, i, c.anchorAY(p), c.anchorAZ(p));
-            double y = velocityY(b, i, c.anchorAX(p), c.anchorAZ(p));
-            double z = velocityZ(b, i, c.anchorAX(p), c.anchorAY(p));
-            x -= velocityX(b, j, c.anchorBY(p), c.anchorBZ(p));
-            y -= velocityY(b, j, c.anchorBX(p), c.anchorBZ(p));
-            z -= velocityZ(b, j, c.anchorBX(p), c.anchorBY(p));
+            double x = b.pointVelocityX(i, c.anchorAY(p), c.anchorAZ(p));
+            double y = b.pointVelocityY(i, c.anchorAX(p), c.anchorAZ(p));
+            double z = b.pointVelocityZ(i, c.anchorAX(p), c.anchorAY(p));
+            x -= b.pointVelocityX(j, c.anchorBY(p), c.anchorBZ(p));
+            y -= b.pointVelocityY(j, c.anchorBX(p), c.anchorBZ(p));
+            z -= b.pointVelocityZ(j, c.anchorBX(p), c.anchorBY(p));
             most = Math.max(most, x * nx + y * ny + z * nz);
         }
         return most;
-    }
-
-    private static double velocityX(BodyStore b, int i, double y, double z) {
-        return b.velocityX[i] + b.angularVelocityY[i] * z - b.angularVelocityZ[i] * y;
-    }
-
-    private static double velocityY(BodyStore b, int i, double x, double z) {
-        return b.velocityY[i] + b.angularVelocityZ[i] * x - b.angularVelocityX[i] * z;
-    }
-
-    private static double velocityZ(BodyStore b, int i, double x, double y) {
-        return b.velocityZ[i] + b.angularVelocityX[i] * y - b.angularVelocityY[i] * x;
     }
 
     /** How many pairs met at speed. */

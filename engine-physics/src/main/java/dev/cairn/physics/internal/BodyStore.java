@@ -404,6 +404,27 @@ public final class BodyStore extends Poses implements Stateful {
     }
 
     /**
+     * Velocity of a point of a body, {@code v + w x r}, along x.
+     *
+     * @param y of the point from the centre of mass, world, m
+     * @param z see {@code y}
+     * @return m/s
+     */
+    public double pointVelocityX(int slot, double y, double z) {
+        return velocityX[slot] + angularVelocityY[slot] * z - angularVelocityZ[slot] * y;
+    }
+
+    /** The same along y. */
+    public double pointVelocityY(int slot, double x, double z) {
+        return velocityY[slot] + angularVelocityZ[slot] * x - angularVelocityX[slot] * z;
+    }
+
+    /** The same along z. */
+    public double pointVelocityZ(int slot, double x, double y) {
+        return velocityZ[slot] + angularVelocityX[slot] * y - angularVelocityY[slot] * x;
+    }
+
+    /**
      * The smaller inner radius of two bodies, one of which at least moves; fixed ones have none.
      */
     public double innerRadiusOfMoving(int a, int b) {

@@ -2,7 +2,6 @@ package dev.cairn.physics.internal;
 
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
-import dev.cairn.physics.collider.Mix;
 
 import java.util.Arrays;
 
@@ -55,7 +54,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     public void beginUneven() {
         if (!uneven) {
             uneven = true;
-            columns(new Columns.Growth(bodyA.length));
+            grow();
         }
     }
 
@@ -63,7 +62,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     public void beginCompounds() {
         if (!compounds) {
             compounds = true;
-            columns(new Columns.Growth(bodyA.length));
+            grow();
         }
     }
 
@@ -71,7 +70,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     public void beginBelts() {
         if (!belts) {
             belts = true;
-            columns(new Columns.Growth(bodyA.length));
+            grow();
         }
     }
 
@@ -79,7 +78,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     public void beginGroups() {
         if (!grouped) {
             grouped = true;
-            columns(new Columns.Growth(bodyA.length));
+            grow();
         }
     }
 
@@ -96,7 +95,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     public void beginHits() {
         if (!hits) {
             hits = true;
-            columns(new Columns.Growth(bodyA.length));
+            grow();
         }
     }
 
@@ -104,7 +103,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     public void beginLeaning() {
         if (!leans) {
             leans = true;
-            columns(new Columns.Growth(bodyA.length));
+            grow();
         }
     }
 
@@ -112,7 +111,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     public void beginHooks() {
         if (!hooked) {
             hooked = true;
-            columns(new Columns.Growth(bodyA.length));
+            grow();
         }
     }
 
@@ -131,7 +130,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     public void beginRolling() {
         if (!rolls) {
             rolls = true;
-            columns(new Columns.Growth(bodyA.length));
+            grow();
         }
     }
 
@@ -143,7 +142,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     public void beginMemory(int numbers) {
         if (remembered == 0) {
             remembered = numbers;
-            columns(new Columns.Growth(bodyA.length));
+            grow();
         }
     }
 
@@ -222,6 +221,11 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
             active[row] = row;
         }
         activeCount = count;
+    }
+
+    /** Gives columns that are wanted from now on their room. */
+    private void grow() {
+        columns(new Columns.Growth(bodyA.length));
     }
 
     /** Grows every column to at least {@code capacity} rows; between phases only. */
@@ -388,45 +392,6 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     }
 
     /**
-     * Makes a row of the same colliders and surfaces as another one, with the same normal.
-     *
-     * @param row empty
-     * @param like the other one
-     * @param colliders whose bodies are found
-     */
-    public void joinLike(int row, int like, ColliderStore colliders) {
-        join(row, colliders, colliderA[like], colliderB[like]);
-        rubLike(row, like);
-        setNormal(row, normalX(like), normalY(like), normalZ(like));
-    }
-
-    /** Gives a row the friction, the restitution and the belt of another one. */
-    public void rubLike(int row, int like) {
-        setFriction(row, friction(like));
-        restitution[row] = restitution[like];
-        if (rolls) {
-            rollingArm[row] = rollingArm[like];
-        }
-        if (belts) {
-            System.arraycopy(belt, 3 * like, belt, 3 * row, 3);
-        }
-    }
-
-    /**
-     * Whether two contacts rub and bounce alike.
-     *
-     * @return whether one row may stand for both
-     */
-    public boolean isAlike(int row, int other) {
-        return friction(row) == friction(other)
-                && restitution[row] == restitution[other]
-                && (!rolls || rollingArm[row] == rollingArm[other])
-                && (!belts
-                        || Arrays.equals(
-                                belt, 3 * row, 3 * row + 3, belt, 3 * other, 3 * other + 3));
-    }
-
-    /**
      * Adds what a row rubbed and rolled with to what another one did.
      *
      * @param row to add to
@@ -498,106 +463,13 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     }
 
     /**
-     * Says whose contact a row is, of what surfaces, and with what friction and restitution.
-     *
-     * @param colliders whose bodies are found
-     * @param a the lower collider
-     * @param b the other one
-     */
-    public void join(int row, ColliderStore colliders, int a, int b) {
-        colliderA[row] = a;
-        colliderB[row] = b;
-        bodyA[row] = colliders.body[a];
-        bodyB[row] = colliders.body[b];
-        surfaceA[row] = colliders.surface[a];
-        surfaceB[row] = colliders.surface[b];
-        mix(row, colliders);
-    }
-
-    /** Friction, restitution and rolling friction of two surfaces that meet. */
-    public void mix(int row, ColliderStore colliders) {
-        int a = colliderA[row];
-        int b = colliderB[row];
-        if (grouped && triangle[row] > 0 && mixTriangle(row, colliders)) {
-            return;
-        }
-        double ofA = colliders.friction[a];
-        double ofB = colliders.friction[b];
-        double bounceA = colliders.restitution[a];
-        double bounceB = colliders.restitution[b];
-        mix(
-                row,
-                ofA,
-                ofB,
-                bounceA,
-                bounceB,
-                colliders.mixing[a],
-                colliders.mixing[b],
-                Math.max(colliders.rollingArm[a], colliders.rollingArm[b]));
-    }
-
-    /** The same with the material of the row's triangle, if its collider has such. */
-    private boolean mixTriangle(int row, ColliderStore colliders) {
-        int a = colliderA[row];
-        int b = colliderB[row];
-        int s = colliders.isSurface(a) ? a : b;
-        int o = s == a ? b : a;
-        int at = colliders.material(s, triangle[row] - 1);
-        if (at < 0) {
-            return false;
-        }
-        double[] own = colliders.palette[s];
-        mix(
-                row,
-                own[at],
-                colliders.friction[o],
-                own[at + 1],
-                colliders.restitution[o],
-                (byte) own[at + 3],
-                colliders.mixing[o],
-                Math.max(own[at + 2], colliders.rollingArm[o]));
-        return true;
-    }
-
-    private void mix(
-            int row,
-            double ofA,
-            double ofB,
-            double bounceA,
-            double bounceB,
-            int ruleA,
-            int ruleB,
-            double arm) {
-        double friction = Math.sqrt(ofA * ofB);
-        double bounce = Math.max(bounceA, bounceB);
-        if ((ruleA | ruleB) != 0) {
-            friction = Mix.of((ruleA & 15) | (ruleB & 15) << 4, ofA, ofB, friction);
-            bounce = Mix.of(ruleA >> 4 | ruleB >> 4 << 4, bounceA, bounceB, bounce);
-        }
-        setFriction(row, friction);
-        restitution[row] = bounce;
-        if (rolls) {
-            rollingArm[row] = arm;
-        }
-    }
-
-    /** A collider's surface is another one; between steps. */
-    public void mixAll(int collider, ColliderStore colliders) {
-        for (int row = 0; row < count; row++) {
-            if (colliderA[row] == collider || colliderB[row] == collider) {
-                mix(row, colliders);
-            }
-        }
-    }
-
-    /**
      * A collider's shape is another one: what its rows remember of the old one is forgotten, but
      * that they touch, and where and with what impulses; between steps.
      */
     public void renew(int collider, ColliderStore colliders) {
         for (int row = 0; row < count; row++) {
             if (colliderA[row] == collider || colliderB[row] == collider) {
-                join(row, colliders, colliderA[row], colliderB[row]);
+                ContactMaterials.join(this, row, colliders, colliderA[row], colliderB[row]);
                 cache[row] = 0;
                 keeps[row] = false;
                 Arrays.fill(memory, remembered * row, remembered * row + remembered, 0);

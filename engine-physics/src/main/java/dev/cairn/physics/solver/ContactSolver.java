@@ -9,7 +9,6 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.Motion;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
-import dev.cairn.physics.solver.direct.DirectIslands;
 import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Collector;
 import dev.cairn.physics.solver.graph.Colouring;
@@ -17,10 +16,6 @@ import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.kernel.RowSweeps;
 import dev.cairn.physics.solver.kernel.StoreRow;
 import dev.cairn.physics.solver.kernel.Sweeps;
-import dev.cairn.physics.solver.load.LoadSweep;
-import dev.cairn.physics.solver.load.Riders;
-import dev.cairn.physics.solver.load.StaticStart;
-import dev.cairn.physics.solver.load.Unloading;
 import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.EdgeList;
@@ -31,6 +26,8 @@ import dev.cairn.physics.solver.wide.Lanes;
 import dev.cairn.physics.solver.wide.WideSweeps;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
+
+import java.util.function.IntPredicate;
 
 /**
  * Solves one tick of motion and contact: a sub-stepped soft contact solver, wide over the contacts
@@ -49,11 +46,6 @@ public final class ContactSolver {
      * at most a hundredth of it: a large scene's scalar code shall be compiled before.
      */
     private static final int WORTH_WIDE = 32_768;
-
-    /**
-     * A point rests while it moves slower than gravity makes a body fall in this share of a tick.
-     */
-    private static final double STILL = 0.125;
 
     /**
      * A point touches up to a gap of this share of {@code g h²}: what has landed lies at a gap of 0
@@ -79,19 +71,15 @@ public final class ContactSolver {
     private final Batches batches = new Batches();
     private final Collector collector;
     private final Assemblies assemblies;
-    private final LoadSweep loads = new LoadSweep();
-    private final Unloading unloading = new Unloading();
-    private final StaticStart start = new StaticStart();
-    private final Riders riders = new Riders();
-    private final DirectIslands direct = new DirectIslands();
+    private final Supports supports;
 
     private final BlockJob begin = this::begin;
     private final BlockJob clearRows = this::clearRows;
     private final BlockJob batch = this::batch;
+    private final IntPredicate turns = this::turns;
 
     private final IslandEnergy energy = new IslandEnergy();
     private final SoftPace softPace = new SoftPace();
-    private boolean settles;
     private int substepsBefore;
     private int contactTicks;
 
@@ -133,6 +121,7 @@ public final class ContactSolver {
                         kinds);
         assemblies = new Assemblies(list);
         collector = new Collector(colouring, batches, assemblies, guides);
+        supports = new Supports(list, batches, collector);
         for (int k = 0; k < 2; k++) {
             passes[k] =
                     new Passes(
@@ -140,9 +129,7 @@ public final class ContactSolver {
                             k == Batches.FLOATS ? list.floats : list.doubles,
                             collector.bouncers,
                             collector.sides,
-                            start,
-                            riders,
-                            direct,
+                            supports,
                             assemblies);
             lockstep[k] = new Lockstep(passes[k], colouring, batches, narrow[k], k);
         }
@@ -208,7 +195,17 @@ public final class ContactSolver {
         timing(stepSeconds);
         tick.body.ensureCapacity(bodies.slotCount);
         ensureBenches(jobs.workers());
-        load(jobs);
+        boolean stacked =
+                collector.run(
+                        bodies,
+                        contacts,
+                        list,
+                        tick.body.guide,
+                        jobs.workers(),
+                        tick.settings.count(Tunable.FLOATS_FROM),
+                        jobs);
+        tick.order = batches.order;
+        supports.find(tick, stacked, softPace.seconds(), benches, jobs);
         for (int k = Batches.FLOATS; k <= Batches.DOUBLES; k++) {
             if (list.count > 0 && batches.hasBodies(k)) {
                 passes[k].ensureCapacity(bodies.slotCount);
@@ -220,136 +217,15 @@ public final class ContactSolver {
         collector.sides.load(bodies, tick.body, contacts, list.source, list.contacts);
         jobs.run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK));
         if (list.count > 0) {
-            findTurning();
+            energy.find(tick, batches, list, collector.sides, turns);
             for (kind = Batches.FLOATS; kind <= Batches.DOUBLES; kind++) {
                 choose();
-                lockstep[kind].run(sub, chosen[kind], settles, riders.found, benches, jobs);
+                lockstep[kind].run(
+                        sub, chosen[kind], supports.settles, supports.riders.found, benches, jobs);
                 jobs.run(batch, batches.end(kind) - batches.alone(kind));
             }
         }
         jobs.run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK));
-    }
-
-    /** Lists the contacts, and finds what rests on what. */
-    private void load(Jobs jobs) {
-        SolverContext t = tick;
-        Tuning settings = t.settings;
-        boolean stacked =
-                collector.run(
-                        t.bodies,
-                        t.contacts,
-                        list,
-                        t.body.guide,
-                        jobs.workers(),
-                        settings.count(Tunable.FLOATS_FROM),
-                        jobs);
-        t.order = batches.order;
-        settles =
-                settings.count(Tunable.UNLOAD_SWEEPS) > 0
-                        && unloading.find(
-                                t.bodies,
-                                t.contacts,
-                                list,
-                                t.impulseScale / t.subStep,
-                                t.weight(),
-                                collector.isSame());
-        // what rides is put in balance, and keeps its place, also where nothing is on it
-        boolean weighs = stacked || collector.sides.count() > 0;
-        start.found = false;
-        if (weighs
-                && settings.count(Tunable.START_SWEEPS) > 0
-                && t.weight() > 0
-                && !collector.isSame()) {
-            start.find(
-                    t.bodies,
-                    t.contacts,
-                    list,
-                    STILL * t.weight() * t.step,
-                    t.weight() * t.subStep,
-                    settings.count(Tunable.START_SWEEPS));
-            settles |= start.found;
-        }
-        findRiders();
-        t.loaded =
-                (settings.get(Tunable.LOAD_INERTIA) > 0
-                                || settings.count(Tunable.UNLOAD_SWEEPS) > 0
-                                || settings.count(Tunable.START_SWEEPS) > 0
-                                || settings.count(Tunable.DIRECT_FROM) > 0)
-                        && loads.run(
-                                t.bodies,
-                                t.contacts,
-                                list,
-                                t.body,
-                                t.gravity,
-                                t.step,
-                                settings,
-                                weighs,
-                                collector.isSame(),
-                                jobs);
-        if (settings.count(Tunable.DIRECT_FROM) > 0) {
-            direct.update(
-                    t.bodies,
-                    list,
-                    batches,
-                    t.loaded ? settings.count(Tunable.DIRECT_FROM) : Integer.MAX_VALUE,
-                    t.weight() * softPace.seconds() * softPace.seconds(),
-                    collector.isSame());
-            for (Workbench bench : benches) {
-                bench.direct.reserve(direct);
-            }
-        }
-    }
-
-    /** An uneven tick scales all impulses, and takes riders as they are. */
-    private void findRiders() {
-        SolverContext t = tick;
-        double weight = t.weight();
-        riders.found = false;
-        if (t.impulseScale == 1 && weight > 0) {
-            riders.seek(
-                    t.bodies,
-                    t.contacts,
-                    list,
-                    STILL * weight * t.step + weight * t.subStep,
-                    weight * t.subStep,
-                    t.settings.count(Tunable.START_SWEEPS));
-        }
-    }
-
-    /** Whether a body turns in this tick, and may turn far: then energy is bounded by island. */
-    private void findTurning() {
-        boolean any = false;
-        for (int k = 0; k < batches.boundCount && !any; k++) {
-            int i = batches.bound[k];
-            any = turns(i);
-        }
-        tick.body.boundsEnergy = any;
-        if (!any) {
-            return;
-        }
-        energy.begin(batches.islands(list), tick.bodies.slotCount);
-        for (int k = 0; k < batches.boundCount; k++) {
-            energy.clear(batches.bound[k]);
-        }
-        for (int k = 0; k < batches.boundCount; k++) {
-            int i = batches.bound[k];
-            if (turns(i)) {
-                energy.mark(i);
-            }
-        }
-        // constraints of other kinds may do work, and so do bodies that are driven
-        for (int m = list.first[1]; m < list.count; m++) {
-            energy.exempt(list.mover(m));
-        }
-        for (int k = 0; k < collector.sides.count(); k++) {
-            energy.exempt(list.mover(collector.sides.edge(k)));
-        }
-        for (int m = 0; tick.bodies.belts > 0 && m < list.contacts; m++) {
-            if (tick.bodies.hasBelt[list.mover(m)]
-                    || (list.isBetweenMovers(m) && tick.bodies.hasBelt[list.slotB[m]])) {
-                energy.exempt(list.mover(m));
-            }
-        }
     }
 
     private boolean turns(int slot) {
@@ -397,10 +273,10 @@ public final class ContactSolver {
                 p.impacts(sub, b, head, tail, from, to, own);
             }
             p.kick(sub, k, head, tail, own);
-            if (settles && k == 0) {
+            if (supports.settles && k == 0) {
                 p.settle(sub, from, to, own);
             }
-            if (riders.found) {
+            if (supports.riders.found) {
                 p.ride(sub, k, from, to, own);
             }
             p.joints.begin(sub, k, firstJoined, endJoined, own);
@@ -408,7 +284,7 @@ public final class ContactSolver {
                 p.bias(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
             }
             p.joints.close(sub, firstJoined, endJoined, own);
-            for (int d = 0; d < direct.openIn(b); d++) {
+            for (int d = 0; d < supports.direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
             }
             if (renewed && small) {
@@ -431,7 +307,7 @@ public final class ContactSolver {
             for (int c = first; c < last; c++) {
                 p.relax(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
             }
-            for (int d = 0; d < direct.openIn(b); d++) {
+            for (int d = 0; d < supports.direct.openIn(b); d++) {
                 p.direct(sub, b, d, false, own);
             }
             p.joints.stop(sub, firstJoined, endJoined, own);
@@ -446,7 +322,7 @@ public final class ContactSolver {
             p.storeKind(colouring.kind[c], sub, start[c], end[c]);
         }
         own.impacts.report();
-        for (int d = 0; d < direct.openIn(b); d++) {
+        for (int d = 0; d < supports.direct.openIn(b); d++) {
             p.learn(sub, b, d, own);
         }
     }
@@ -536,7 +412,7 @@ public final class ContactSolver {
             tick.contacts.beginUneven();
         }
         sub.fillScale = tick.impulseScale;
-        sub.still = STILL * tick.weight() * stepSeconds;
+        sub.still = Supports.STILL * tick.weight() * stepSeconds;
         sub.closing = CLOSING * tick.weight() * stepSeconds;
         sub.touch = TOUCH * tick.weight() * sub.seconds * sub.seconds;
     }
@@ -553,8 +429,7 @@ public final class ContactSolver {
         list.state(s);
         assemblies.state(s);
         collector.state(s);
-        loads.state(s);
-        direct.state(s);
+        supports.state(s);
         s.section("solver", this);
         substepsBefore = s.value("substepsBefore", substepsBefore);
         tick.step = s.value("step", tick.step);

@@ -5,11 +5,15 @@ import static dev.cairn.physics.solver.body.SolverBodies.V;
 
 import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.solver.body.AxisLocks;
+import dev.cairn.physics.solver.body.DrivenSides;
 import dev.cairn.physics.solver.body.MotionRecord;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
+import dev.cairn.physics.solver.graph.Batches;
+import dev.cairn.physics.solver.row.EdgeList;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /**
  * The contacts of an island do no work to speak of: at the end of a sub-step its bodies have at
@@ -71,35 +75,70 @@ final class IslandEnergy {
     private double[] sums = {};
 
     /** By smallest slot of an island: whether a body of it turns, and whether it may do work. */
-    private boolean[] turns = {};
+    private boolean[] turning = {};
 
     private boolean[] works = {};
     private Islands islands = new Islands();
 
-    /** A tick begins: its islands. */
-    void begin(Islands ofTick, int slots) {
+    /**
+     * Finds, as a tick begins, the islands whose energy is bounded in it.
+     *
+     * @param tick told whether there is any, see {@link SolverBodies#boundsEnergy}
+     * @param turns whether the body of a slot turns, and may turn far
+     */
+    void find(
+            SolverContext tick,
+            Batches batches,
+            EdgeList list,
+            DrivenSides sides,
+            IntPredicate turns) {
+        boolean any = false;
+        for (int k = 0; k < batches.boundCount && !any; k++) {
+            any = turns.test(batches.bound[k]);
+        }
+        tick.body.boundsEnergy = any;
+        if (!any) {
+            return;
+        }
+        begin(batches.islands(list), tick.bodies.slotCount);
+        for (int k = 0; k < batches.boundCount; k++) {
+            int i = batches.bound[k];
+            turning[i] = false;
+            works[i] = false;
+        }
+        for (int k = 0; k < batches.boundCount; k++) {
+            int i = batches.bound[k];
+            if (turns.test(i)) {
+                turning[islands.root(i)] = true;
+            }
+        }
+        // constraints of other kinds may do work, and so do bodies that are driven
+        for (int m = list.first[1]; m < list.count; m++) {
+            exempt(list.mover(m));
+        }
+        for (int k = 0; k < sides.count(); k++) {
+            exempt(list.mover(sides.edge(k)));
+        }
+        boolean[] hasBelt = tick.bodies.hasBelt;
+        for (int m = 0; tick.bodies.belts > 0 && m < list.contacts; m++) {
+            if (hasBelt[list.mover(m)] || (list.isBetweenMovers(m) && hasBelt[list.slotB[m]])) {
+                exempt(list.mover(m));
+            }
+        }
+    }
+
+    private void begin(Islands ofTick, int slots) {
         islands = ofTick;
-        if (turns.length < slots) {
-            int n = Math.max(slots, Math.max(64, turns.length + (turns.length >> 1)));
+        if (turning.length < slots) {
+            int n = Math.max(slots, Math.max(64, turning.length + (turning.length >> 1)));
             sums = new double[STRIDE * n];
-            turns = new boolean[n];
+            turning = new boolean[n];
             works = new boolean[n];
         }
     }
 
-    /** Nothing is known of the island that a body may name. */
-    void clear(int slot) {
-        turns[slot] = false;
-        works[slot] = false;
-    }
-
-    /** A body turns in this tick, or may. */
-    void mark(int slot) {
-        turns[islands.root(slot)] = true;
-    }
-
-    /** A body is bound by something that may do work. */
-    void exempt(int slot) {
+    /** The island of a body does work. */
+    private void exempt(int slot) {
         works[islands.root(slot)] = true;
     }
 
@@ -112,7 +151,7 @@ final class IslandEnergy {
         for (int k = head; k < tail; k++) {
             int i = tick.order[k];
             int root = islands.root(i);
-            if (turns[root] && !works[root]) {
+            if (turning[root] && !works[root]) {
                 add(tick.body, i, STRIDE * root, tick.subStep);
             }
         }

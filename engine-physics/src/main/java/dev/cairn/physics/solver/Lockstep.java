@@ -68,11 +68,7 @@ final class Lockstep {
      * Whether a contact has restitution, one of two balls, and whether one may meet in the sub-step
      * that comes.
      */
-    private boolean bounces;
-
-    private boolean balls;
-
-    private boolean meets;
+    private boolean bounces, balls, meets;
 
     /** Bodies that joints hold together: with any, no passes run as one. */
     private final LockstepJoints joints;
@@ -325,7 +321,7 @@ final class Lockstep {
 
     /** The same for bodies that are in no domain. */
     private void alone(int block, int worker) {
-        int head = aloneFrom(block);
+        int head = bodiesFrom(block);
         int tail = aloneTo(block);
         if (substep > 0) {
             passes.finish(pace, head, tail, benches[worker]);
@@ -346,18 +342,17 @@ final class Lockstep {
     }
 
     private void drift(int block, int worker) {
-        Passes p = passes;
         if (block >= domains) {
-            drift(aloneFrom(block - domains), aloneTo(block - domains), p);
+            driftBodies(bodiesFrom(block - domains), aloneTo(block - domains));
             return;
         }
         int b = base + 1 + block;
         if (!joints.any()) {
             fixedWithin(block, worker);
         }
-        p.carry(pace, b, benches[worker]);
-        drift(batches.firstBody[b], batches.firstBody[b + 1], p);
-        p.moveSides(pace, b);
+        passes.carry(pace, b, benches[worker]);
+        driftBodies(batches.firstBody[b], batches.firstBody[b + 1]);
+        passes.moveSides(pace, b);
     }
 
     private void fixedWithin(int block, int worker) {
@@ -380,23 +375,23 @@ final class Lockstep {
         }
     }
 
-    private void drift(int head, int tail, Passes p) {
-        p.drift(pace, head, tail);
+    private void driftBodies(int head, int tail) {
+        passes.drift(pace, head, tail);
         if (!joints.any()) {
-            lookBack(head, tail, p);
+            lookBackAt(head, tail);
         }
     }
 
     private void lookBack(int block, int worker) {
-        lookBack(bodiesFrom(block), bodiesTo(block), passes);
+        lookBackAt(bodiesFrom(block), bodiesTo(block));
     }
 
-    private void lookBack(int head, int tail, Passes p) {
+    private void lookBackAt(int head, int tail) {
         if (bounces) {
-            p.limit(pace, head, tail);
+            passes.limit(pace, head, tail);
         }
         if (renews) {
-            p.keep(head, tail);
+            passes.keep(head, tail);
         }
     }
 
@@ -424,24 +419,22 @@ final class Lockstep {
         return from + Blocks.end(block, perBlock, to - from);
     }
 
-    /** Bodies in no domain. */
-    private int aloneFrom(int block) {
-        return batches.firstBody[base] + Blocks.begin(block, BODIES_PER_BLOCK);
-    }
-
-    private int aloneTo(int block) {
-        int first = batches.firstBody[base];
-        return first + Blocks.end(block, BODIES_PER_BLOCK, batches.firstBody[base + 1] - first);
-    }
-
+    /** First body of a block, be it of all bodies or of those in no domain. */
     private int bodiesFrom(int block) {
-        return batches.firstBody[base] + Blocks.begin(block, BODIES_PER_BLOCK);
+        return firstBody() + Blocks.begin(block, BODIES_PER_BLOCK);
     }
 
     private int bodiesTo(int block) {
-        int first = batches.firstBody[base];
-        int count = batches.firstBody[base + 1 + domains] - first;
-        return first + Blocks.end(block, BODIES_PER_BLOCK, count);
+        return bodiesTo(block, endBody());
+    }
+
+    private int bodiesTo(int block, int end) {
+        return firstBody() + Blocks.end(block, BODIES_PER_BLOCK, end - firstBody());
+    }
+
+    /** The same of bodies in no domain. */
+    private int aloneTo(int block) {
+        return bodiesTo(block, batches.firstBody[base + 1]);
     }
 
     /** Of the contacts of a domain; that of -1 is the batch in lockstep. */

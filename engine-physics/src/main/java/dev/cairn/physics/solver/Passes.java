@@ -60,9 +60,7 @@ final class Passes {
      *
      * @param bouncers the contacts with restitution
      * @param sides kinematic bodies that move
-     * @param start the islands that begin at rest
-     * @param riders those on what speeds up
-     * @param direct the islands that are solved directly
+     * @param supports what rests on what
      * @param assemblies what hangs together by joints
      */
     Passes(
@@ -70,9 +68,7 @@ final class Passes {
             ConstraintRows rows,
             Bouncers bouncers,
             DrivenSides sides,
-            StaticStart start,
-            Riders riders,
-            DirectIslands direct,
+            Supports supports,
             Assemblies assemblies) {
         this.assemblies = assemblies;
         this.bouncers = bouncers;
@@ -80,9 +76,9 @@ final class Passes {
         this.tick = tick;
         this.rows = rows;
         body = tick.body;
-        this.start = start;
-        this.riders = riders;
-        this.direct = direct;
+        start = supports.start;
+        riders = supports.riders;
+        direct = supports.direct;
         one = rows.isSingle ? new SingleScalarSweep() : new ScalarSweep();
         joints = new JointPasses(tick, rows, assemblies, renewal);
         starts = rows.isSingle ? new SingleStartSweep() : new StartSweep();

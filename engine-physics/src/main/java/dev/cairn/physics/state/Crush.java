@@ -83,9 +83,9 @@ public final class Crush {
         double rx = isA ? rows.anchorAX(p) : rows.anchorBX(p);
         double ry = isA ? rows.anchorAY(p) : rows.anchorBY(p);
         double rz = isA ? rows.anchorAZ(p) : rows.anchorBZ(p);
-        double vx = b.velocityX[o] + b.angularVelocityY[o] * rz - b.angularVelocityZ[o] * ry;
-        double vy = b.velocityY[o] + b.angularVelocityZ[o] * rx - b.angularVelocityX[o] * rz;
-        double vz = b.velocityZ[o] + b.angularVelocityX[o] * ry - b.angularVelocityY[o] * rx;
+        double vx = b.pointVelocityX(o, ry, rz);
+        double vy = b.pointVelocityY(o, rx, rz);
+        double vz = b.pointVelocityZ(o, rx, ry);
         return side(row, held)
                 * (vx * rows.normalX(row) + vy * rows.normalY(row) + vz * rows.normalZ(row));
     }

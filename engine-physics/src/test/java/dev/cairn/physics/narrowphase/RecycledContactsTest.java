@@ -8,6 +8,7 @@ import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
@@ -59,7 +60,7 @@ class RecycledContactsTest {
     private void begin(Scene s) {
         rows.count = 1;
         rows.activateAll();
-        rows.join(0, colliders, 0, 1);
+        ContactMaterials.join(rows, 0, colliders, 0, 1);
         rows.pointCount[0] = 0;
         rows.cache[0] = 0;
         rows.keeps[0] = false;

@@ -8,6 +8,7 @@ import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.wide.BoxAxes;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
@@ -54,7 +55,7 @@ class StageInLanesTest {
             for (int row = 0; row < ROWS; row++) {
                 colliders.attach(2 * row, scenes[row].a);
                 colliders.attach(2 * row + 1, scenes[row].b);
-                rows.join(row, colliders, 2 * row, 2 * row + 1);
+                ContactMaterials.join(rows, row, colliders, 2 * row, 2 * row + 1);
             }
         }
 

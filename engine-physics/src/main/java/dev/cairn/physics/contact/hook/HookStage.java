@@ -6,6 +6,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.collider.ContactHook;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
 
 import org.jspecify.annotations.Nullable;
@@ -39,7 +40,7 @@ public final class HookStage {
     public void set(@Nullable ContactHook value) {
         if (hook != null && value == null) {
             for (int row = 0; row < contacts.count; row++) {
-                contacts.mix(row, colliders);
+                ContactMaterials.mix(contacts, row, colliders);
             }
         }
         hook = value;
@@ -86,7 +87,7 @@ public final class HookStage {
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = contacts.active[i];
             if (contacts.isSolved(row)) {
-                contacts.mix(row, colliders);
+                ContactMaterials.mix(contacts, row, colliders);
                 cursor.row = row;
                 asked.change(cursor);
             }

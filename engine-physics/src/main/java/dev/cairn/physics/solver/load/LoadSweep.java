@@ -300,27 +300,12 @@ public final class LoadSweep implements Stateful {
     private boolean disturbed(int source, int p, int a, int b, double radius, double unit) {
         BodyStore s = bodies;
         ContactStore c = contacts;
-        double x =
-                s.velocityX[b]
-                        - s.velocityX[a]
-                        + s.angularVelocityY[b] * c.anchorBZ(p)
-                        - s.angularVelocityZ[b] * c.anchorBY(p)
-                        - s.angularVelocityY[a] * c.anchorAZ(p)
-                        + s.angularVelocityZ[a] * c.anchorAY(p);
-        double y =
-                s.velocityY[b]
-                        - s.velocityY[a]
-                        + s.angularVelocityZ[b] * c.anchorBX(p)
-                        - s.angularVelocityX[b] * c.anchorBZ(p)
-                        - s.angularVelocityZ[a] * c.anchorAX(p)
-                        + s.angularVelocityX[a] * c.anchorAZ(p);
-        double z =
-                s.velocityZ[b]
-                        - s.velocityZ[a]
-                        + s.angularVelocityX[b] * c.anchorBY(p)
-                        - s.angularVelocityY[b] * c.anchorBX(p)
-                        - s.angularVelocityX[a] * c.anchorAY(p)
-                        + s.angularVelocityY[a] * c.anchorAX(p);
+        double x = s.pointVelocityX(b, c.anchorBY(p), c.anchorBZ(p));
+        double y = s.pointVelocityY(b, c.anchorBX(p), c.anchorBZ(p));
+        double z = s.pointVelocityZ(b, c.anchorBX(p), c.anchorBY(p));
+        x -= s.pointVelocityX(a, c.anchorAY(p), c.anchorAZ(p));
+        y -= s.pointVelocityY(a, c.anchorAX(p), c.anchorAZ(p));
+        z -= s.pointVelocityZ(a, c.anchorAX(p), c.anchorAY(p));
         double vn = x * c.normalX(source) + y * c.normalY(source) + z * c.normalZ(source);
         if (vn < -HIT * unit && c.separation[p] + vn * stepSeconds < 0) {
             return true;
