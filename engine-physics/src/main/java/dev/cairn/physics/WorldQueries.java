@@ -49,8 +49,7 @@ public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met
     private final double[] box = new double[6];
     private final Vector3d v = new Vector3d();
 
-    /** Slots of bodies. */
-    private final BitSet found = new BitSet();
+    private final BitSet found = new BitSet(); // slots of bodies
 
     /** Receives all that a cast meets, or null if the first is enough. */
     private @Nullable List<Met> met;
@@ -214,8 +213,11 @@ public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met
     }
 
     private @Nullable BodyRef answer(int winner) {
-        last = winner == NONE ? last : table.collision.ref(winner);
-        return winner == NONE ? null : last.body();
+        if (winner == NONE) {
+            return null;
+        }
+        last = table.collision.ref(winner);
+        return last.body();
     }
 
     /**
@@ -367,8 +369,7 @@ public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met
         Checks.between("seconds", seconds, 0, Double.MAX_VALUE);
         begin();
         ColliderStore k = table.colliders;
-        int slotA = move(a, motionA);
-        int slotB = move(b, motionB);
+        int slotA = move(a, motionA), slotB = move(b, motionB);
         double limit = seconds;
         int winner = NONE;
         for (int c = k.bodies.collider[slotA]; c != NONE; c = k.next[c]) {

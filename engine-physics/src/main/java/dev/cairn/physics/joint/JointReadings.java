@@ -186,7 +186,7 @@ public abstract sealed class JointReadings permits JointRef {
     /**
      * Entity of the joint itself, if it was made by {@link NewJoint}.
      *
-     * @return its id, or {@link #NO_ENTITY} for a joint that {@code PhysicsWorld.add} made
+     * @return its id, or {@link JointRef#NO_ENTITY} for a joint that {@code PhysicsWorld.add} made
      */
     public final long entity() {
         return entity;
