@@ -58,7 +58,7 @@ public final class Assembly {
     /** By row: effective inverse mass of the row alone, 1/kg or 1/(kg m²). */
     final double[] compliance;
 
-    /** Room to take a movement back: numbers of {@link JointSolve#KEPT} to a body. */
+    /** Room to take a movement back: numbers of {@link PositionTrial#KEPT} to a body. */
     final double[] kept;
 
     /** By body: its frequency under tension, rad/s. Steps that this wants of a sub-step. */
@@ -72,7 +72,17 @@ public final class Assembly {
     /** For how many it will be if that fails again. */
     int patience = 1;
 
-    /** Whether it has an account; that, and what it is measured by, J; see {@link JointEnergy}. */
+    /** Whether it has an account, and whether that is loose, as motors or springs give energy. */
+    boolean isGuarded;
+
+    boolean isDriven;
+
+    /** What they have given in the sub-step, J. */
+    double given;
+
+    /**
+     * Whether it has a sharp account; that, and what it is measured by, J; see {@link JointEnergy}.
+     */
     boolean keeps;
 
     double account;
@@ -101,13 +111,13 @@ public final class Assembly {
     /** Whether a joint ties it to what does not move. */
     final boolean isGrounded;
 
+    /** Velocities and marks, and impulses, before a half: impulses that are none leave rounding. */
+    final double[] first;
+
+    final double[] firstImpulse;
+
     /** By row: impulse in work. */
     final double[] impulse;
-
-    /** By row, of motors and springs: speed and impulse before the bodies were moved. */
-    final double[] speed;
-
-    final double[] noted;
 
     /**
      * Edges of its contacts with what does not move, by the list of the tick; how many there are.
@@ -119,7 +129,7 @@ public final class Assembly {
     /**
      * By point of these: impulse that {@link ContactCoupling} gave in the sub-step; whether any.
      */
-    double[] given = {};
+    double[] blows = {};
 
     boolean gives;
 
@@ -127,7 +137,7 @@ public final class Assembly {
     void stand(int edge) {
         if (standCount == stand.length) {
             stand = Arrays.copyOf(stand, 2 * standCount + 4);
-            given = new double[ContactCoupling.POINTS * stand.length];
+            blows = new double[ContactCoupling.POINTS * stand.length];
         }
         stand[standCount++] = edge;
     }
@@ -203,11 +213,11 @@ public final class Assembly {
         isActive = new boolean[n];
         compliance = new double[n];
         impulse = new double[n];
-        speed = new double[n];
-        noted = new double[n];
+        first = new double[JointWork.FIRST * body.length];
+        firstImpulse = new double[n];
         quick = new double[body.length];
         carried = new double[Swing.CARRIED * body.length];
         taut = new double[9 * body.length];
-        kept = new double[JointSolve.KEPT * body.length];
+        kept = new double[PositionTrial.KEPT * body.length];
     }
 }

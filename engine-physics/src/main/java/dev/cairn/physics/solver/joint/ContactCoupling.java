@@ -106,7 +106,7 @@ abstract class ContactCoupling extends GapClosing {
             for (int p = 0; p < rows.points(j); p++) {
                 int q = o + (POINT + p * POINT_FIELDS) * rows.lanes;
                 int l = q + IMPULSE * rows.lanes;
-                double part = Math.min(s.given[POINTS * e + p], rows.doubles[l]);
+                double part = Math.min(s.blows[POINTS * e + p], rows.doubles[l]);
                 if (part > 0) {
                     rows.doubles[l] -= part;
                     int arm = q + (side == 0 ? 0 : ARM_B * rows.lanes);
@@ -285,7 +285,7 @@ abstract class ContactCoupling extends GapClosing {
             load(d, lanes, p, l);
             d[field[p] + IMPULSE * lanes] += l;
             d[sum[p]] += isLast ? l : 0;
-            s.given[place[p]] += l;
+            s.blows[place[p]] += l;
             int o = Math.abs(link[p]);
             add(d, lanes, normal[p], arm(p, lanes), o, link[p] < 0 ? -l : l, v, o);
         }

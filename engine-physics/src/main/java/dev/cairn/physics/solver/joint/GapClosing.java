@@ -21,6 +21,9 @@ abstract class GapClosing extends HoldingRows {
     private final double[] turn = new double[3];
     private final InnerMotion inner = new InnerMotion();
 
+    /** What contacts have done to a body. */
+    private final double[] pushed = new double[6];
+
     /**
      * Closes what is open by moving bodies, without any speed: {@code x' = x - M^-1 J^T (A + E)^-1
      * c}. Those of an assembly that floats would change its angular momentum: it gets that back.
@@ -42,11 +45,31 @@ abstract class GapClosing extends HoldingRows {
             solve();
             isClosing = false;
             shift();
+            if (isNoted) {
+                renew();
+            }
             s.isFresh = false;
             derive();
         }
         if (isNoted) {
             inner.giveBack(tick, s);
+        }
+    }
+
+    /** Gives bodies the root of their inertia as they are turned now. */
+    private void renew() {
+        double[] v = tick.body.state;
+        double[] mark = tick.body.mark;
+        for (int i : s.body) {
+            int o = SolverBodies.offset(i);
+            int w = (i + 1) * SolverBodies.HALF;
+            for (int c = 0; c < 6; c++) {
+                pushed[c] = v[o + c] - mark[w + c];
+            }
+            Swing.renew(tick, i);
+            for (int c = 0; c < 6; c++) {
+                mark[w + c] = v[o + c] - pushed[c];
+            }
         }
     }
 

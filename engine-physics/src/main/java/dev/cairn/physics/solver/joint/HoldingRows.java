@@ -22,6 +22,9 @@ abstract class HoldingRows extends AssemblyEquations {
     /** Changes so far. */
     int changes;
 
+    /** Whether limits are met by the present trial. */
+    boolean meets;
+
     /**
      * Who holds at first: limits as they were, motors and springs unless they were at their most.
      */
@@ -89,7 +92,7 @@ abstract class HoldingRows extends AssemblyEquations {
         double high = start - store.upper[row] > tiny ? start : store.upper[row];
         int side = s.now[r] < low ? -1 : s.now[r] > high ? 1 : 0;
         if (!s.isActive[r]) {
-            if (side == 0) {
+            if (side == 0 || !meets) {
                 return false;
             }
             store.held[row] = (byte) side;

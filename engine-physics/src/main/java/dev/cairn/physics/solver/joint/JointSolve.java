@@ -1,9 +1,6 @@
 package dev.cairn.physics.solver.joint;
 
-import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.JointStore;
-import dev.cairn.physics.solver.body.Motion;
-import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
 import dev.cairn.physics.solver.row.ConstraintRows;
@@ -33,7 +30,9 @@ import java.util.Arrays;
  *   HoldingRows         which limits, motors and springs are equations, by trial
  *   GapClosing          what is open already is closed aside
  *   ContactCoupling     what it stands on is solved with it
+ *   JointWork           what motors and springs may give, and the way back
  *   VelocityHalf        what joints do not allow is taken from the velocities
+ *   PositionTrial       where trials of the position half lead, and what if nowhere
  *   JointSolve          the position half, and what a sub-step is made of
  * </pre>
  *
@@ -44,10 +43,7 @@ import java.util.Arrays;
  * <p>Source: H. C. Andersen, "Rattle: a velocity version of the Shake algorithm" (1983). One to a
  * worker. Does not allocate.
  */
-public final class JointSolve extends VelocityHalf {
-    /** Numbers to a body of {@link Assembly#kept}. */
-    static final int KEPT = 22;
-
+public final class JointSolve extends PositionTrial {
     /** Most sub-steps until Newton's method is tried again where it has failed. */
     static final int ROUGH = 128;
 
@@ -59,14 +55,16 @@ public final class JointSolve extends VelocityHalf {
      */
     private static final double ALMOST = 1e-7;
 
+    /** Up to this a trial tells which limits are met; how many may be worse before they are. */
+    private static final double TELLS = 1e-3;
+
+    private static final int TRIALS = 3;
+
     /** A joint is closed to this share of its bodies' size, or rad. */
     private static final double CLOSED = 1e-13;
 
     /** Turning speed at which a joint that is out of place is turned back, rad/s. */
     private static final double TURN_BACK = 10;
-
-    /** Whether contacts were just solved with the joints, so that {@code J(x) v = 0}. */
-    private boolean isHeld;
 
     private final JointEnergy energy = new JointEnergy();
     private final Tension tension = new Tension();
@@ -99,7 +97,7 @@ public final class JointSolve extends VelocityHalf {
      */
     public void warm(double scale) {
         s.calm();
-        Arrays.fill(s.given, 0, POINTS * s.standCount, 0.0);
+        Arrays.fill(s.blows, 0, POINTS * s.standCount, 0.0);
         derive();
         double most = GAIN * kinetic();
         for (int k = 0; k < s.joint.length; k++) {
@@ -117,14 +115,16 @@ public final class JointSolve extends VelocityHalf {
 
     /** A sub-step with contacts begins: bodies have got their weight. */
     public void account(SubStep sub) {
-        if (s.keeps) {
+        if (s.isGuarded) {
             JointEnergy.begin(tick, s, sub.seconds);
+            begin();
         }
     }
 
     /** A sub-step with contacts ends. */
     public void settle() {
-        if (s.keeps) {
+        if (s.isGuarded) {
+            settle(s.parts);
             energy.settle(tick, s, true);
         }
     }
@@ -132,7 +132,7 @@ public final class JointSolve extends VelocityHalf {
     /** Begin of a tick: bodies may be elsewhere, and weigh otherwise. */
     public void begin(SubStep sub) {
         s.isFresh = false;
-        s.keeps = JointEnergy.keeps(tick, store, s);
+        JointEnergy.open(tick, store, s);
         double quick = sub.seconds * tension.quickest(tick, store, s);
         s.parts = Swing.parts(s, quick);
     }
@@ -180,15 +180,19 @@ public final class JointSolve extends VelocityHalf {
         changes = 0;
         activate(true);
         double most = GAIN * kinetic();
-        note();
+        if (!s.isRigid) {
+            note();
+        }
         if (!s.isDirect) {
             approach(most);
             end(stay);
             return;
         }
         double last = Double.POSITIVE_INFINITY;
-        int rounds = s.standCount > 0 ? STANDING : ROUNDS;
+        int flying = s.isRigid ? ROUNDS : 2 * ROUNDS;
+        int rounds = s.standCount > 0 ? STANDING : flying;
         double almost = s.standCount > 0 ? ALMOST : NEARLY;
+        boolean asks = true;
         for (int round = 0; round < rounds; round++) {
             if (s.rough > 0) {
                 project(most);
@@ -200,7 +204,15 @@ public final class JointSolve extends VelocityHalf {
             if (!s.isRigid) {
                 restore();
             }
-            boolean changed = !s.isRigid && hold(round);
+            // a limit is met by where the bodies come to, not by where a trial has led
+            meets = s.isRigid || round > TRIALS || open() <= TELLS;
+            boolean changed = !s.isRigid && asks && hold(round);
+            asks = s.isRigid || !changed || !isFirm();
+            if (!asks) {
+                again();
+                last = Double.POSITIVE_INFINITY;
+                continue;
+            }
             double worst = residuals();
             boolean gains = worst <= 0.3 * last && round < rounds - 1;
             boolean ends =
@@ -250,52 +262,6 @@ public final class JointSolve extends VelocityHalf {
         }
     }
 
-    /**
-     * One round, or two where limits and motors may let go, of a solution that is rough itself.
-     * What stays open is closed aside.
-     */
-    private void approach(double most) {
-        for (int round = 0; round < (s.isRigid ? 1 : 2); round++) {
-            keep();
-            move();
-            measure();
-            restore();
-            hold(round);
-            residuals();
-            factor(true);
-            correct();
-        }
-        if (!(kinetic() <= most + work())) {
-            release();
-        }
-    }
-
-    /** Notes speeds and impulses of motors and springs, for {@link #work}. */
-    private void note() {
-        for (int k = 0; k < s.joint.length && !s.isRigid; k++) {
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                if (store.role[row(k, r)] >= JointStore.MOTOR) {
-                    s.speed[r] = speed(k, r);
-                    s.noted[r] = s.impulse[r];
-                }
-            }
-        }
-    }
-
-    /** Energy that motors and springs may have given since: impulse times mean speed, J. */
-    private double work() {
-        double sum = 0;
-        for (int k = 0; k < s.joint.length && !s.isRigid; k++) {
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                if (store.role[row(k, r)] >= JointStore.MOTOR) {
-                    double mean = 0.5 * (s.speed[r] + speed(k, r));
-                    sum += (s.impulse[r] - s.noted[r]) * mean;
-                }
-            }
-        }
-        return GAIN * Math.max(0, sum);
-    }
-
     /** Keeps the impulses; moves the bodies if that is still to be done. */
     private void end(boolean moves) {
         if (moves) {
@@ -328,141 +294,5 @@ public final class JointSolve extends VelocityHalf {
         way = JointMath.isAngle(store.law[row]) ? Angles.wrap(way) : way;
         double step = -(s.impulse[r] + 2 * k * way) / (k + d);
         return s.impulse[r] + (1 - 1 / x) * d * step;
-    }
-
-    /** Moves the bodies as the sub-step will. */
-    private void move() {
-        double[] g = tick.gravity;
-        for (int i : s.body) {
-            Motion.drift(tick.bodies, tick.body, i, g[0], g[1], g[2], h);
-        }
-    }
-
-    private void keep() {
-        BodyStore b = tick.bodies;
-        for (int n = 0; n < s.body.length; n++) {
-            int i = s.body[n];
-            int o = SolverBodies.offset(i);
-            int at = KEPT * n;
-            System.arraycopy(tick.body.state, o, s.kept, at, 6);
-            System.arraycopy(tick.body.state, o + SolverBodies.P, s.kept, at + 6, 6);
-            int w = (i + 1) * SolverBodies.HALF;
-            System.arraycopy(tick.body.mark, w, s.kept, at + 12, 6);
-            s.kept[at + 18] = b.orientationX[i];
-            s.kept[at + 19] = b.orientationY[i];
-            s.kept[at + 20] = b.orientationZ[i];
-            s.kept[at + 21] = b.orientationW[i];
-        }
-    }
-
-    private void restore() {
-        BodyStore b = tick.bodies;
-        for (int n = 0; n < s.body.length; n++) {
-            int i = s.body[n];
-            int o = SolverBodies.offset(i);
-            int at = KEPT * n;
-            System.arraycopy(s.kept, at, tick.body.state, o, 6);
-            System.arraycopy(s.kept, at + 6, tick.body.state, o + SolverBodies.P, 6);
-            int w = (i + 1) * SolverBodies.HALF;
-            System.arraycopy(s.kept, at + 12, tick.body.mark, w, 6);
-            b.orientationX[i] = s.kept[at + 18];
-            b.orientationY[i] = s.kept[at + 19];
-            b.orientationZ[i] = s.kept[at + 20];
-            b.orientationW[i] = s.kept[at + 21];
-        }
-    }
-
-    /** What the rows measure in the poses of now. */
-    private void measure() {
-        for (int k = 0; k < s.joint.length; k++) {
-            int j = s.joint[k];
-            math.look(tick.bodies, tick.body.state, store, j, offset(k, 0), offset(k, 1));
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                s.now[r] = math.measure(store, j, store.law[row(k, r)]);
-            }
-        }
-    }
-
-    /** Writes what is missing over h to {@link Assembly#now}; the worst, over its size. */
-    private double residuals() {
-        double worst = 0;
-        for (int k = 0; k < s.joint.length; k++) {
-            double size = size(k);
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                int row = row(k, r);
-                if (!s.isActive[r]) {
-                    s.now[r] = 0;
-                    continue;
-                }
-                double m = miss(r, row);
-                boolean isAngle = JointMath.isAngle(store.law[row]);
-                worst = Math.max(worst, Math.abs(isAngle ? m : m / size));
-                if (Double.isNaN(m)) {
-                    worst = Double.POSITIVE_INFINITY;
-                }
-                s.now[r] = m / h;
-            }
-        }
-        return worst;
-    }
-
-    /**
-     * Where Newton's method fails: its first round alone, and if that adds too much energy, no
-     * impulse at all. What stands on something is stopped where joints hold it then, {@code J(x) v'
-     * = 0}, which only takes energy away: its contacts are solved from there.
-     */
-    private void project(double most) {
-        if (!isHeld) {
-            single();
-        }
-        if (isHeld || !(kinetic() <= most + work())) {
-            release();
-            if (s.standCount > 0) {
-                rest();
-            }
-        }
-    }
-
-    /** Stops bodies where locks hold them, {@code J(x) v' = 0}, and lets limits be reached. */
-    private void rest() {
-        for (int k = 0; k < s.joint.length; k++) {
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                if (store.role[row(k, r)] < JointStore.MOTOR) {
-                    set(k, r, 0);
-                }
-            }
-        }
-        for (int k = 0; k < s.joint.length; k++) {
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                int row = row(k, r);
-                s.now[r] = store.role[row] < JointStore.MOTOR ? speed(k, r) : 0;
-                if (s.isActive[r] && store.role[row] == JointStore.LIMIT) {
-                    double way = (store.held[row] < 0 ? store.lower[row] : store.upper[row]);
-                    way -= s.start[r];
-                    s.now[r] -= way * store.held[row] > 0 ? way / h : 0;
-                }
-            }
-        }
-        factor(true);
-        correct();
-    }
-
-    private void single() {
-        release();
-        activate(true);
-        keep();
-        move();
-        measure();
-        restore();
-        for (int k = 0; k < s.joint.length && !s.isRigid; k++) {
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                if (store.role[row(k, r)] == JointStore.LIMIT) {
-                    limit(k, r, row(k, r), 0);
-                }
-            }
-        }
-        residuals();
-        factor(true);
-        correct();
     }
 }

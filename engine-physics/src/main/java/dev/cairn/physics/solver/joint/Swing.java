@@ -44,7 +44,7 @@ public final class Swing {
 
     /** Runs a tick. */
     public void run(SolverContext tick, SubStep sub, JointStore store, Assembly s) {
-        s.keeps = JointEnergy.keeps(tick, store, s);
+        JointEnergy.open(tick, store, s);
         boolean isReversible = s.isDirect && !s.isRough() && isReversible(tick.bodies, s);
         solve.open(tick, sub, store, s, isReversible ? 8 * OUTER - 1 : 1);
         s.isFresh = false;
@@ -53,6 +53,7 @@ public final class Swing {
         double h = sub.seconds / parts;
         for (int k = 0; k < sub.count * parts; k++) {
             s.energy = JointEnergy.kinetic(tick, s) + JointEnergy.potential(tick, s);
+            solve.begin();
             if (isReversible) {
                 step(tick, s, OUTER * h);
                 step(tick, s, OUTER * h);
@@ -62,7 +63,8 @@ public final class Swing {
             } else {
                 step(tick, s, h);
             }
-            if (s.keeps) {
+            if (s.isGuarded) {
+                solve.settle(1);
                 energy.settle(tick, s, false);
             }
         }

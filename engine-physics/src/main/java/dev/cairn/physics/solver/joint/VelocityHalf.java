@@ -10,19 +10,12 @@ import java.util.Arrays;
  * The velocity half of a sub-step: after the bodies have moved, joints are closed aside and what
  * they do not allow is taken from the velocities, {@code J(x') v = 0}.
  */
-abstract class VelocityHalf extends ContactCoupling {
+abstract class VelocityHalf extends JointWork {
     static final int ROUNDS = 12;
-
-    /**
-     * Energy that impulses may add beside contacts. Those of a turning link turn with it and add
-     * {@code (w h)²/4}; more than this is no turn, but sweeps and joints that pull against each
-     * other.
-     */
-    static final double GAIN = 1.05;
 
     /** Sweeps of contacts begin, or end. */
     public void sweeps(boolean end) {
-        if (s.keeps) {
+        if (s.isGuarded) {
             JointEnergy.sweeps(tick, s, end);
         }
     }
@@ -73,7 +66,7 @@ abstract class VelocityHalf extends ContactCoupling {
     void velocity(double seconds, boolean counts) {
         h = seconds;
         close();
-        stop();
+        halt();
         if (counts) {
             relieve(false);
             end();
@@ -88,7 +81,7 @@ abstract class VelocityHalf extends ContactCoupling {
     public void velocity(SubStep sub, boolean counts, ConstraintRows rows) {
         h = sub.seconds;
         close();
-        stop();
+        halt();
         if (stands(rows, sub, false)) {
             stop();
         }
@@ -96,6 +89,20 @@ abstract class VelocityHalf extends ContactCoupling {
         if (counts) {
             relieve(false);
             end();
+        }
+    }
+
+    /** Stops what joints do not allow; what came from nothing is taken back. */
+    private void halt() {
+        if (s.isRigid) {
+            stop();
+            return;
+        }
+        note();
+        double most = GAIN * kinetic();
+        stop();
+        if (!(kinetic() <= most + work())) {
+            takeBack();
         }
     }
 
