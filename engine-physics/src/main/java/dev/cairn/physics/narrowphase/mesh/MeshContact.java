@@ -37,6 +37,7 @@ public final class MeshContact {
     private final TriangleSet.Found found = new TriangleSet.Found();
     private final FaceRegions faces = new FaceRegions();
     private final LoosePoints loose = new LoosePoints();
+    private final TriangleGap gap = new TriangleGap();
     private final MeshFrame frame = new MeshFrame();
     private final double[] box = new double[6], corner = new double[9];
 
@@ -199,7 +200,8 @@ public final class MeshContact {
         int hollow = flags / (isFront ? TriangleSet.HOLLOW : TriangleSet.CONVEX) & TriangleSet.ALL;
         int group = faces.add(t, set.material(t), corner, nx, ny, nz, hollow, twiceArea, tolerance);
         int corners = isFront ? TriangleSet.CORNER : TriangleSet.CORNER_BACK;
-        if ((flags / corners & TriangleSet.ALL) != 0) {
+        if ((flags / corners & TriangleSet.ALL) != 0
+                && !gap.isApart(corner, nx, ny, nz, pair, margin)) {
             standsOut(t, group);
         }
     }
