@@ -444,7 +444,6 @@ public class Sandbox extends Application {
     @Override
     protected void panels(Ui ui, View view) {
         SandboxState state = states.latest();
-        editorPanels.hear();
         showJoints(editor.mode() == Editor.Mode.REST);
         if (editor.mode() == Editor.Mode.CLOSED) {
             panels.draw(ui, view, state);
@@ -454,6 +453,8 @@ public class Sandbox extends Application {
                 panels.drawPlaying(ui, view, state);
             }
         }
+        // After the mouse: the end of a drag comes before the key that undoes it.
+        editorPanels.hear();
         leaving.draw(ui);
         shown(ui, view, state);
     }

@@ -41,6 +41,12 @@ final class SandboxProbe extends Sandbox {
                     "Keys");
     private long bytesBefore;
     private long tickBytes;
+
+    /** Ticks without a frame after which the window is said to sleep. */
+    private static final int ASLEEP_TICKS = 120;
+
+    private volatile int ticksUnseen;
+    private volatile long framesShown;
     private volatile int quietTicks;
 
     /** Digest of each tick when it came first; how many came again the same, and otherwise. */
@@ -83,7 +89,7 @@ final class SandboxProbe extends Sandbox {
 
     private static String places(Ui ui) {
         StringBuilder line = new StringBuilder();
-        for (String widget : List.of("boxes", "sink", "Notice", "[1]", "1", "1.5", "2")) {
+        for (String widget : List.of("boxes", "box", "sink", "Notice", "[1]", "1", "1.5", "2")) {
             line.append(WindowFixture.middle(ui, widget));
         }
         for (String button :
@@ -105,6 +111,10 @@ final class SandboxProbe extends Sandbox {
         super.updated(seconds);
         long now = threads.getCurrentThreadAllocatedBytes();
         quietTicks = now == tickBytes ? quietTicks + 1 : 0;
+        if (++ticksUnseen == ASLEEP_TICKS) {
+            out.printf("frame=%d asleep=true%n", framesShown);
+            out.flush();
+        }
         compare((int) Math.min(builtTick(), digests.length - 1), scene().physics().digest());
         tickBytes = threads.getCurrentThreadAllocatedBytes();
     }
@@ -143,6 +153,8 @@ final class SandboxProbe extends Sandbox {
         }
         // What the frame allocated but for this method.
         long bytes = threads.getCurrentThreadAllocatedBytes() - bytesBefore;
+        ticksUnseen = 0;
+        framesShown = view.frames();
         view.camera().position(eye);
         int seenTick = digestTick;
         double[] slider = ui.boundsOf("gap");

@@ -11,11 +11,14 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.opentest4j.TestAbortedException;
 
+import java.awt.image.BufferedImage;
 import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -28,6 +31,8 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+
+import javax.imageio.ImageIO;
 
 /**
  * A real window on a virtual X server, keys and mouse through that server, in a process of its own
@@ -51,6 +56,16 @@ abstract class WindowFixture {
 
     /** When the window is ready for the test. */
     abstract boolean ready(Seen seen);
+
+    /** What the program is given on its command line. */
+    List<String> arguments() {
+        return List.of();
+    }
+
+    /** Whether the program tells of its frames, as a probe does. */
+    boolean tellsFrames() {
+        return true;
+    }
 
     /** What the program finds when it starts. */
     void prepare() throws IOException {}
@@ -98,6 +113,8 @@ abstract class WindowFixture {
                                 "-screen",
                                 "0",
                                 "1100x700x24",
+                                "-fbdir",
+                                folder.toString(),
                                 "-nolisten",
                                 "tcp")
                         .redirectError(folder.resolve("server.txt").toFile())
@@ -114,6 +131,7 @@ abstract class WindowFixture {
                         "-cp",
                         wholeClassPath(),
                         program().getName());
+        builder.command().addAll(arguments());
         builder.directory(folder.toFile());
         builder.environment().put("DISPLAY", display);
         builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
@@ -125,9 +143,11 @@ abstract class WindowFixture {
         Thread pump = new Thread(() -> pump(reader), "sandbox-output");
         pump.setDaemon(true);
         pump.start();
-        await("the window to be ready", this::ready);
+        if (tellsFrames()) {
+            await("the window to be ready", this::ready);
+        }
         window =
-                type("search", "--onlyvisible", "--pid", Long.toString(sandbox.pid()))
+                type("search", "--sync", "--onlyvisible", "--pid", Long.toString(sandbox.pid()))
                         .lines()
                         .reduce((first, second) -> second)
                         .orElseThrow();
@@ -242,14 +262,33 @@ abstract class WindowFixture {
     }
 
     /** Keeps a picture of the screen for the eyes of a person, where a folder is named. */
-    void look(String name) throws IOException, InterruptedException {
+    void look(String name) throws IOException {
         String pictures = System.getProperty("window.pictures");
         if (pictures != null) {
-            ProcessBuilder builder =
-                    new ProcessBuilder("import", "-window", "root", pictures + "/" + name + ".png");
-            builder.environment().put("DISPLAY", display);
-            builder.inheritIO().start().waitFor();
+            ImageIO.write(screen(), "png", Path.of(pictures, name + ".png").toFile());
         }
+    }
+
+    /** What the screen shows: the server keeps it in a file, in the format of xwd. */
+    BufferedImage screen() throws IOException {
+        ByteBuffer file = ByteBuffer.wrap(Files.readAllBytes(folder.resolve("Xvfb_screen0")));
+        int width = file.getInt(4 * 4);
+        int height = file.getInt(5 * 4);
+        int rowBytes = file.getInt(12 * 4);
+        int begin = file.getInt(0) + 12 * file.getInt(19 * 4); // behind header and colour map
+        file.order(ByteOrder.LITTLE_ENDIAN);
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                image.setRGB(x, y, file.getInt(begin + y * rowBytes + 4 * x));
+            }
+        }
+        return image;
+    }
+
+    /** What a window manager does to the window; there is none on this server. */
+    WindowManager manager() throws IOException {
+        return new WindowManager(display, Integer.parseInt(window));
     }
 
     /** Waits until the window's thread makes no garbage any more; the first frames make some. */

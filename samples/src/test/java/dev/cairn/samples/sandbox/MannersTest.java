@@ -1,0 +1,124 @@
+package dev.cairn.samples.sandbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+
+/** How the window behaves beside other windows, and what it does to keys, in the real window. */
+class MannersTest extends WindowFixture {
+    @Override
+    Class<?> program() {
+        return SandboxProbe.class;
+    }
+
+    @Override
+    boolean ready(Seen seen) {
+        return seen.number("tick") >= 5;
+    }
+
+    /** One window for all of it: to open one takes longer than what is done in it. */
+    @Test
+    void itSleepsLooksRebindsAndClosesWhenAsked() throws IOException, InterruptedException {
+        aMinimisedWindowDrawsNothingWhileTheSceneGoesOn();
+        theCrossOfMouseLookHasBothArms();
+        aTakenKeyComesBackByReset();
+        try (WindowManager manager = manager()) {
+            manager.askToClose();
+        }
+        assertEquals(0, ended());
+    }
+
+    private void aMinimisedWindowDrawsNothingWhileTheSceneGoesOn()
+            throws IOException, InterruptedException {
+        try (WindowManager manager = manager()) {
+            Seen before = now();
+            manager.minimise();
+            Seen asleep = await("120 ticks without a frame", seen -> seen.flag("asleep"));
+            manager.restore();
+            Seen again = await("to be drawn again", seen -> seen.values().containsKey("tick"));
+            assertEquals(asleep.number("frame") + 1, again.number("frame"), last);
+            assertTrue(again.number("tick") >= before.number("tick") + 120, last);
+        }
+    }
+
+    /** White over what is behind it: the pixels of both arms differ from those between them. */
+    private void theCrossOfMouseLookHasBothArms() throws IOException, InterruptedException {
+        type("key", "p");
+        await("the pause", seen -> seen.flag("paused"));
+        settle();
+        BufferedImage without = screen();
+        type("key", "Tab");
+        settle();
+        settle();
+        look("mouse-look");
+        BufferedImage with = screen();
+        int x = 512;
+        int y = 320;
+        for (int[] arm : new int[][] {{8, 0}, {-8, 0}, {0, 8}, {0, -8}}) {
+            assertTrue(
+                    brighter(without, with, x + arm[0], y + arm[1]),
+                    "no arm at " + arm[0] + ", " + arm[1]);
+        }
+        assertFalse(brighter(without, with, x + 8, y + 8), "a box, no cross");
+        type("key", "Tab");
+        type("key", "p");
+        await("to go on", seen -> !seen.flag("paused"));
+    }
+
+    /** Whether one of the pixels around a place has become brighter. */
+    private static boolean brighter(BufferedImage before, BufferedImage after, int x, int y) {
+        for (int dx = -1; dx <= 1; dx++) {
+            for (int dy = -1; dy <= 1; dy++) {
+                int green = after.getRGB(x + dx, y + dy) >> 8 & 255;
+                if (green > (before.getRGB(x + dx, y + dy) >> 8 & 255) + 20) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private void aTakenKeyComesBackByReset() throws IOException, InterruptedException {
+        click("Plots");
+        settle();
+        click("Keys");
+        await("the keys", seen -> seen.values().containsKey("sinkX"));
+        click("sink");
+        type("key", "F1");
+        await("the conflict", seen -> seen.values().containsKey("Take_itX"));
+        settle();
+        look("key-conflict");
+        assertEquals(0, now().number("shortened"), last);
+        click(KeyRows.TAKE);
+        await("F1 to sink", seen -> seen.is("sinkKeys", "F1") && seen.is("listKeys", ""));
+        type("key", "F1");
+        settle();
+        assertFalse(now().flag("help"), "F1 lists no keys any more: " + last);
+        await("it to be kept", seen -> kept("sink = F1"));
+        // The list is longer than its panel: the last row is below the edge.
+        moveTo(880, 500);
+        for (int i = 0; i < 40; i++) {
+            type("click", "5");
+        }
+        settle();
+        look("keys-reset");
+        click(KeyRows.RESET);
+        await("all as at first", seen -> seen.is("sinkKeys", "Q") && seen.is("listKeys", "F1"));
+        await("that to be kept, too", seen -> !kept("sink = F1"));
+    }
+
+    private boolean kept(String line) {
+        try {
+            return Files.exists(keys()) && Files.readString(keys()).contains(line);
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
+    }
+}
