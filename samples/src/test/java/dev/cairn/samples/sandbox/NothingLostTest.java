@@ -126,11 +126,7 @@ class NothingLostTest extends WindowFixture {
         click("Window");
         await("the buttons of the scales", seen -> seen.values().containsKey("1.5X"));
         for (String scale : new String[] {"1.5", "2"}) {
-            Seen known = now();
-            moveTo(
-                    known.number(scale + "X") * known.number("uiScale"),
-                    known.number(scale + "Y") * known.number("uiScale"));
-            type("click", "1");
+            click(scale);
             await(scale, seen -> seen.number("uiScale") == Double.parseDouble(scale));
             settle();
             assertEquals(0, now().number("shortened"), last);
@@ -140,6 +136,16 @@ class NothingLostTest extends WindowFixture {
             assertEquals(0, now().number("shortened"), last);
             type("key", "Escape");
             await("the list to close", seen -> !seen.flag("help"));
+            type("key", "F2");
+            await("the editor", seen -> seen.flag("paused") && seen.values().containsKey("boxX"));
+            settle();
+            click("box");
+            settle();
+            look("editor-" + scale);
+            assertEquals(0, now().number("shortened"), "the editor: " + last);
+            type("key", "F2");
+            await("the scene", seen -> !seen.flag("paused"));
+            settle();
         }
     }
 }

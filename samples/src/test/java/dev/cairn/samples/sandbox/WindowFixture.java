@@ -251,14 +251,15 @@ abstract class WindowFixture {
     void click(String label) throws IOException, InterruptedException {
         Seen seen = now();
         String key = label.replace(' ', '_');
-        moveTo(seen.number(key + "X"), seen.number(key + "Y"));
+        double scale = Double.parseDouble(seen.values().getOrDefault("uiScale", "1"));
+        moveTo(seen.number(key + "X") * scale, seen.number(key + "Y") * scale);
         type("click", "1");
     }
 
     /** Waits until a change of the panels is drawn, so that the places of widgets are right. */
     void settle() throws IOException, InterruptedException {
         Seen seen = now();
-        await("three frames", later -> later.number("frame") > seen.number("frame") + 2);
+        await("six frames", later -> later.number("frame") > seen.number("frame") + 5);
     }
 
     /** Keeps a picture of the screen for the eyes of a person, where a folder is named. */
