@@ -2,6 +2,7 @@ package dev.cairn.render.app;
 
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.Effects;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Trigger;
 import dev.cairn.render.ui.Ui;
@@ -172,6 +173,26 @@ public abstract class Application {
      */
     public final boolean isVsync() {
         return wishes.vsync;
+    }
+
+    /**
+     * Chooses what is drawn beyond the plain picture. Without a choice it is {@link Effects#ALL} on
+     * a graphics processor and in pictures, {@link Effects#PLAIN} in the window of a software
+     * rasteriser. Any thread.
+     *
+     * @param value the effects
+     */
+    public final void effects(Effects value) {
+        wishes.effects = Objects.requireNonNull(value, "value");
+    }
+
+    /**
+     * What is drawn beyond the plain picture. Any thread.
+     *
+     * @return the effects
+     */
+    public final Effects effects() {
+        return Objects.requireNonNullElse(wishes.effects, Effects.ALL);
     }
 
     /**

@@ -63,6 +63,7 @@ final class Launch {
             return;
         }
         try (Offscreen view = Offscreen.open(width, height)) {
+            view.effects(application.effects());
             view.draw(
                     running.exchange().latest(),
                     1,

@@ -2,6 +2,7 @@ package dev.cairn.render.app;
 
 import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.Effects;
 import dev.cairn.render.camera.Light;
 import dev.cairn.render.gl.FrameTarget;
 import dev.cairn.render.gl.GlContext;
@@ -13,6 +14,7 @@ import dev.cairn.render.ui.nuklear.NuklearUi;
 import org.jspecify.annotations.Nullable;
 
 import java.nio.file.Path;
+import java.util.Objects;
 
 /**
  * Draws snapshots into pictures without a display, by the same code that draws into a window. It
@@ -47,7 +49,9 @@ public final class Offscreen implements AutoCloseable {
     private Offscreen(GlContext context, int width, int height) {
         this.context = context;
         this.target = new FrameTarget(width, height, SAMPLES);
-        this.renderer = new SceneRenderer(false);
+        this.renderer =
+                new SceneRenderer(
+                        false, Objects.requireNonNullElse(Effects.ofProperty(), Effects.ALL));
     }
 
     /**
@@ -128,6 +132,17 @@ public final class Offscreen implements AutoCloseable {
         renderer.draw(snapshot, alpha, camera, light, target);
         GlContext.checkErrors("Offscreen.draw");
         drawn = true;
+    }
+
+    /**
+     * Chooses what is drawn beyond the plain picture; at first what the property {@code
+     * cairn.effects} says, or else {@link Effects#ALL}.
+     *
+     * @param value the effects
+     */
+    public void effects(Effects value) {
+        context.check();
+        renderer.effects(value);
     }
 
     /** Has something drawn over the scenes to come, or nothing. */

@@ -1,5 +1,7 @@
 package dev.cairn.render.app;
 
+import dev.cairn.render.camera.Effects;
+
 import java.nio.file.Path;
 import java.util.Locale;
 
@@ -27,6 +29,10 @@ final class StartProperties {
                 throw new IllegalArgumentException(
                         "cairn.ui.scale holds '" + scale + "', expected a number", e);
             }
+        }
+        Effects effects = Effects.ofProperty();
+        if (effects != null) {
+            application.effects(effects);
         }
         String tick = System.getProperty("cairn.tick");
         if (tick != null) {

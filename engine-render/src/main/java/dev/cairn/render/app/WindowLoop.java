@@ -15,6 +15,7 @@ import static org.lwjgl.glfw.GLFW.nglfwGetWindowSize;
 import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.physics.DebugData;
 import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.Effects;
 import dev.cairn.render.camera.Light;
 import dev.cairn.render.gl.DebugLines;
 import dev.cairn.render.gl.FrameTarget;
@@ -84,7 +85,7 @@ final class WindowLoop {
         listen(window);
         glfwSwapInterval(1);
         glfwShowWindow(window);
-        try (SceneRenderer renderer = new SceneRenderer(context.isSoftware());
+        try (SceneRenderer renderer = new SceneRenderer(context.isSoftware(), chosenEffects());
                 DebugLines lines = new DebugLines()) {
             renderer.overlay(lines);
             view.lines(lines);
@@ -121,6 +122,7 @@ final class WindowLoop {
     }
 
     private void frame(SceneRenderer renderer, DebugLines lines, long window, double elapsed) {
+        renderer.effects(chosenEffects());
         FrameTarget into = target(size(0), size(1));
         PoseSnapshot snapshot = simulation.exchange().latest();
         Scene scene = application.sceneOrNull();
@@ -144,6 +146,17 @@ final class WindowLoop {
         into.show();
         GlContext.checkErrors("a frame of the window");
         FrameCalls.swapBuffers(window);
+    }
+
+    /** What the application wants; the first frame says what that is where it wants nothing. */
+    private Effects chosenEffects() {
+        WindowWishes wishes = application.wishes();
+        Effects chosen = wishes.effects;
+        if (chosen == null) {
+            chosen = context.isSoftware() ? Effects.PLAIN : Effects.ALL;
+            wishes.effects = chosen;
+        }
+        return chosen;
     }
 
     // GLFW owns the callbacks; GlContext.close frees them.

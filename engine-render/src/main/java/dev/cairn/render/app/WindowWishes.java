@@ -1,5 +1,6 @@
 package dev.cairn.render.app;
 
+import dev.cairn.render.camera.Effects;
 import dev.cairn.render.input.Trigger;
 
 import org.jspecify.annotations.Nullable;
@@ -15,6 +16,9 @@ final class WindowWishes {
     volatile boolean fullscreen;
     volatile boolean vsync = true;
     volatile double panelScale = 1;
+
+    /** Null as long as nobody has chosen. */
+    volatile @Nullable Effects effects;
 
     private volatile boolean closeAsked;
     private volatile boolean escapeAsked;

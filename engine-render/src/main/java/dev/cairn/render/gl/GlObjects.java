@@ -14,6 +14,8 @@ import static org.lwjgl.opengl.GL30.glDeleteVertexArrays;
 import static org.lwjgl.opengl.GL30.glGenFramebuffers;
 import static org.lwjgl.opengl.GL30.glGenRenderbuffers;
 import static org.lwjgl.opengl.GL30.glGenVertexArrays;
+import static org.lwjgl.opengl.GL33.glDeleteSamplers;
+import static org.lwjgl.opengl.GL33.glGenSamplers;
 
 import java.util.EnumMap;
 import java.util.Map;
@@ -41,7 +43,9 @@ public final class GlObjects {
         /** A linked pair of shaders. */
         PROGRAM,
         /** A compiled shader. */
-        SHADER
+        SHADER,
+        /** How a texture is read. */
+        SAMPLER
     }
 
     private static final Map<Kind, AtomicLong> MADE = counters();
@@ -188,6 +192,15 @@ public final class GlObjects {
     static void deleteProgram(int id) {
         glDeleteProgram(id);
         deleted(Kind.PROGRAM, id);
+    }
+
+    static int sampler() {
+        return made(Kind.SAMPLER, glGenSamplers());
+    }
+
+    static void deleteSampler(int id) {
+        glDeleteSamplers(id);
+        deleted(Kind.SAMPLER, id);
     }
 
     static int shader(int stage) {

@@ -8,6 +8,7 @@ import static org.lwjgl.opengl.GL15.GL_STREAM_DRAW;
 import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.render.mesh.Mesh;
+import dev.cairn.render.mesh.Meshes;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.ModelGroup;
 import dev.cairn.render.mesh.Texture;
@@ -39,6 +40,9 @@ final class Instances implements AutoCloseable {
 
     private static final int MOTION_FLOATS = 16;
     private static final int LOOK_FLOATS = 12;
+
+    /** Half the side of a floor from which on its end is not what the picture is about, m. */
+    private static final double WIDE = 15;
 
     /**
      * Drawn where {@code Visual.model} is nothing that can be drawn, so that the mistake is seen.
@@ -258,11 +262,23 @@ final class Instances implements AutoCloseable {
         buffer.put(at + 4, (float) model.originX());
         buffer.put(at + 5, (float) model.originY());
         buffer.put(at + 6, (float) model.originZ());
-        buffer.put(at + 7, 0f);
+        buffer.put(at + 7, (float) fadeMetres(model));
         buffer.put(at + 8, (float) Srgb.linear(model.rgb() >> 16));
         buffer.put(at + 9, (float) Srgb.linear(model.rgb() >> 8));
         buffer.put(at + 10, (float) Srgb.linear(model.rgb()));
         buffer.put(at + 11, 0f);
+    }
+
+    /** The radius at which a wide flat floor has dissolved, m; 0 for what is none. */
+    @SuppressWarnings("ReferenceEquality") // These two meshes are shared by all floors.
+    private static double fadeMetres(Model model) {
+        boolean isFlat =
+                model.mesh() == Meshes.GROUND
+                        || (model.mesh() == Meshes.CUBE
+                                && model.scaleY() < 0.2 * Math.min(model.scaleX(), model.scaleZ()));
+        double half =
+                model.mesh().radius() / Math.sqrt(3) * Math.min(model.scaleX(), model.scaleZ());
+        return isFlat && model.texture().tileMetres() > 0 && half >= WIDE ? half : 0;
     }
 
     private void replaceBatches(List<Batch> wanted) {

@@ -21,6 +21,7 @@ import static org.lwjgl.opengl.GL30.glBindVertexArray;
 
 import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.Effects;
 import dev.cairn.render.camera.Light;
 
 import org.joml.Matrix4d;
@@ -34,18 +35,11 @@ import org.jspecify.annotations.Nullable;
 public final class SceneRenderer implements AutoCloseable {
     private static final int MIN_SHADOW_SIZE = 512;
     private static final int MAX_SHADOW_SIZE = 2048;
-    private static final int FRUGAL_TAPS = 4;
-    private static final int MOST_TAPS = 12;
 
     private final boolean frugal;
-    private final ShaderProgram scene;
-    private final SceneUniforms uniforms;
-    private final ShaderProgram sky;
-    private final int skyForward;
-    private final int skyRight;
-    private final int skyUp;
-    private final int skyZenith;
-    private final int skyHorizon;
+    private Effects effects;
+    private Programs programs;
+    private @Nullable DepthMap depthMap;
     private final int emptyVertexArray = GlObjects.vertexArray();
     private final Instances instances = new Instances();
     private final Pass pass = new Pass(instances, false);
@@ -63,28 +57,12 @@ public final class SceneRenderer implements AutoCloseable {
      * Compiles the shaders.
      *
      * @param frugal whether to save effort: shadows of one tap and half the resolution
+     * @param effects what to draw beyond the plain picture
      */
-    public SceneRenderer(boolean frugal) {
+    public SceneRenderer(boolean frugal, Effects effects) {
         this.frugal = frugal;
-        scene =
-                new ShaderProgram(
-                        "scene",
-                        "#define SHADOW_TAPS %d\n#define SURFACE_TAPS %d\n"
-                                .formatted(frugal ? 1 : 3, surfaceTaps(frugal)),
-                        new String[] {"instance.glsl", "scene.vert"},
-                        new String[] {"encode.glsl", "scene.frag"});
-        uniforms = new SceneUniforms(scene);
-        sky =
-                new ShaderProgram(
-                        "sky",
-                        "",
-                        new String[] {"sky.vert"},
-                        new String[] {"encode.glsl", "sky.frag"});
-        skyForward = sky.uniform("rayForward");
-        skyRight = sky.uniform("rayRight");
-        skyUp = sky.uniform("rayUp");
-        skyZenith = sky.uniform("zenithColour");
-        skyHorizon = sky.uniform("horizonColour");
+        this.effects = effects;
+        programs = new Programs(frugal, effects);
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LEQUAL);
         glEnable(GL_CULL_FACE);
@@ -92,9 +70,18 @@ public final class SceneRenderer implements AutoCloseable {
         glClearColor(0, 0, 0, 1);
     }
 
-    /** Lookups along a pixel's footprint by the shader itself; see {@link GpuTexture}. */
-    private static int surfaceTaps(boolean frugal) {
-        return GpuTexture.isAnisotropic() ? 1 : frugal ? FRUGAL_TAPS : MOST_TAPS;
+    /**
+     * Chooses what is drawn beyond the plain picture; other shaders are compiled if that changes.
+     *
+     * @param wanted the effects
+     */
+    public void effects(Effects wanted) {
+        if (!wanted.equals(effects)) {
+            Programs made = new Programs(frugal, wanted);
+            programs.close();
+            programs = made;
+            effects = wanted;
+        }
     }
 
     /**
@@ -121,16 +108,21 @@ public final class SceneRenderer implements AutoCloseable {
         if (shadows != null) {
             shadows.draw(alpha, sun, eye, forward);
         }
-        target.bind();
-        glViewport(0, 0, target.width(), target.height());
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         double aspect = (double) target.width() / target.height();
         clipFromAnchored
                 .setPerspective(camera.fieldOfView(), aspect, camera.near(), camera.far())
                 .rotateX(-camera.pitch())
                 .rotateY(camera.yaw())
                 .translate(-eye.x, -eye.y, -eye.z);
-        drawScene(alpha, light, shadows);
+        pass.cull(clipFromAnchored);
+        DepthMap depth = effects.occlusion() ? depthMap(target) : null;
+        if (depth != null) {
+            depth.draw(pass, alpha, clipFromAnchored);
+        }
+        target.bind();
+        glViewport(0, 0, target.width(), target.height());
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        drawScene(alpha, light, shadows, camera, aspect);
         drawSky(camera, aspect, light);
         if (overlay != null) {
             overlay.draw(clipFromAnchored, anchor, target.width(), target.height());
@@ -173,18 +165,40 @@ public final class SceneRenderer implements AutoCloseable {
         return map;
     }
 
-    private void drawScene(double alpha, Light light, @Nullable ShadowMap shadows) {
-        scene.use();
+    private DepthMap depthMap(FrameTarget target) {
+        DepthMap map = depthMap;
+        if (map == null || !map.isOf(target)) {
+            if (map != null) {
+                map.close();
+            }
+            glActiveTexture(GL_TEXTURE0 + SceneUniforms.SCENE_DEPTH);
+            map = new DepthMap(target.width(), target.height());
+            depthMap = map;
+        }
+        return map;
+    }
+
+    private void drawScene(
+            double alpha, Light light, @Nullable ShadowMap shadows, Camera camera, double aspect) {
+        programs.scene.use();
+        SceneUniforms uniforms = programs.uniforms;
         uniforms.set(light, alpha, clipFromAnchored, eye, sun);
+        uniforms.setOcclusion(clipFromAnchored, Math.tan(camera.fieldOfView() / 2), aspect);
+        if (shadows != null && effects.softShadows()) {
+            shadows.bindNumbers(SceneUniforms.SHADOW_NUMBERS);
+        }
+        if (depthMap != null) {
+            glActiveTexture(GL_TEXTURE0 + SceneUniforms.SCENE_DEPTH);
+            depthMap.bindTexture();
+        }
         glActiveTexture(GL_TEXTURE1);
         uniforms.setShadows(shadows);
         glActiveTexture(GL_TEXTURE0);
-        pass.cull(clipFromAnchored);
         for (int b = 0; b < pass.batches(); b++) {
             GpuTexture texture = instances.batch(b).gpuTexture;
             if (texture != null && pass.isVisible(b)) {
                 texture.bind();
-                uniforms.setTile(instances.batch(b).texture.tileMetres());
+                uniforms.setTexture(instances.batch(b).texture);
                 pass.draw(b);
             }
         }
@@ -194,13 +208,14 @@ public final class SceneRenderer implements AutoCloseable {
         double tan = Math.tan(camera.fieldOfView() / 2);
         right.set(1, 0, 0).rotateY(-camera.yaw());
         up.set(right).cross(forward);
-        sky.use();
-        ShaderProgram.set(skyForward, forward.x, forward.y, forward.z);
+        Programs sky = programs;
+        sky.sky.use();
+        ShaderProgram.set(sky.forward, forward.x, forward.y, forward.z);
         ShaderProgram.set(
-                skyRight, right.x * tan * aspect, right.y * tan * aspect, right.z * tan * aspect);
-        ShaderProgram.set(skyUp, up.x * tan, up.y * tan, up.z * tan);
-        SceneUniforms.setColour(skyZenith, light.zenithRgb());
-        SceneUniforms.setColour(skyHorizon, light.horizonRgb());
+                sky.right, right.x * tan * aspect, right.y * tan * aspect, right.z * tan * aspect);
+        ShaderProgram.set(sky.up, up.x * tan, up.y * tan, up.z * tan);
+        SceneUniforms.setColour(sky.zenith, light.zenithRgb());
+        SceneUniforms.setColour(sky.horizon, light.horizonRgb());
         glBindVertexArray(emptyVertexArray);
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
@@ -239,8 +254,10 @@ public final class SceneRenderer implements AutoCloseable {
             shadowMap.close();
         }
         instances.close();
-        scene.close();
-        sky.close();
+        if (depthMap != null) {
+            depthMap.close();
+        }
+        programs.close();
         GlObjects.deleteVertexArray(emptyVertexArray);
     }
 }

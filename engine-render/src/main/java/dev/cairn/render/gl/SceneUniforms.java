@@ -1,6 +1,7 @@
 package dev.cairn.render.gl;
 
 import dev.cairn.render.camera.Light;
+import dev.cairn.render.mesh.Texture;
 
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
@@ -8,6 +9,14 @@ import org.jspecify.annotations.Nullable;
 
 /** The uniforms of the scene's shaders by name. */
 final class SceneUniforms {
+    /** Texture units beside those of surface, shadow map, motion and looks. */
+    static final int SHADOW_NUMBERS = 4;
+
+    static final int SCENE_DEPTH = 5;
+
+    /** Radius of the neighbourhood that hides sky, by its distance from the eye. */
+    static final double OCCLUSION_SHARE = 0.07;
+
     private final int clipFromAnchored;
     private final int alpha;
     private final int motion;
@@ -20,11 +29,20 @@ final class SceneUniforms {
     private final int sunLight;
     private final int skyLight;
     private final int groundLight;
+    private final int zenithColour;
     private final int horizonColour;
     private final int hazeMetres;
     private final int shadowFromAnchored;
     private final int shadowTexelMetres;
     private final int shadowBias;
+
+    // Only with the effects that need them.
+    private final int shadowDepth;
+    private final int sceneDepth;
+    private final int anchoredFromClip;
+    private final int occlusionReach;
+    private final int finish;
+    private final Matrix4d inverse = new Matrix4d();
 
     SceneUniforms(ShaderProgram program) {
         clipFromAnchored = program.uniform("clipFromAnchored");
@@ -39,11 +57,17 @@ final class SceneUniforms {
         sunLight = program.uniform("sunLight");
         skyLight = program.uniform("skyLight");
         groundLight = program.uniform("groundLight");
+        zenithColour = program.uniformIfUsed("zenithColour");
         horizonColour = program.uniform("horizonColour");
         hazeMetres = program.uniform("hazeMetres");
         shadowFromAnchored = program.uniform("shadowFromAnchored");
         shadowTexelMetres = program.uniform("shadowTexelMetres");
         shadowBias = program.uniform("shadowBias");
+        shadowDepth = program.uniformIfUsed("shadowDepth");
+        sceneDepth = program.uniformIfUsed("sceneDepth");
+        anchoredFromClip = program.uniformIfUsed("anchoredFromClip");
+        occlusionReach = program.uniformIfUsed("occlusionReach");
+        finish = program.uniformIfUsed("finish");
     }
 
     void set(
@@ -63,7 +87,10 @@ final class SceneUniforms {
         ShaderProgram.set(sunLight, light.sunRed(), light.sunGreen(), light.sunBlue());
         ShaderProgram.set(skyLight, light.skyRed(), light.skyGreen(), light.skyBlue());
         ShaderProgram.set(groundLight, light.groundRed(), light.groundGreen(), light.groundBlue());
+        setColour(zenithColour, light.zenithRgb());
         setColour(horizonColour, light.horizonRgb());
+        ShaderProgram.set(shadowDepth, SHADOW_NUMBERS);
+        ShaderProgram.set(sceneDepth, SCENE_DEPTH);
         ShaderProgram.set(hazeMetres, light.hazeMetres());
     }
 
@@ -79,8 +106,22 @@ final class SceneUniforms {
         ShaderProgram.set(shadowBias, shadows.bias());
     }
 
-    void setTile(double metres) {
-        ShaderProgram.set(tileMetres, metres);
+    /**
+     * Where points around a pixel lie.
+     *
+     * @param clipFromAnchored of the picture
+     * @param tan of half the field of view, upwards
+     * @param aspect width by height
+     */
+    void setOcclusion(Matrix4d clipFromAnchored, double tan, double aspect) {
+        ShaderProgram.set(anchoredFromClip, clipFromAnchored.invert(inverse));
+        double reach = 0.5 * OCCLUSION_SHARE / tan;
+        ShaderProgram.set(occlusionReach, reach / aspect, reach);
+    }
+
+    void setTexture(Texture texture) {
+        ShaderProgram.set(tileMetres, texture.tileMetres());
+        ShaderProgram.set(finish, texture.roughness(), texture.metal());
     }
 
     static void setColour(int uniform, int rgb) {

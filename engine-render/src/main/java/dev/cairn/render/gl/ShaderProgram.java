@@ -16,6 +16,7 @@ import static org.lwjgl.opengl.GL20.glLinkProgram;
 import static org.lwjgl.opengl.GL20.glShaderSource;
 import static org.lwjgl.opengl.GL20.glUniform1f;
 import static org.lwjgl.opengl.GL20.glUniform1i;
+import static org.lwjgl.opengl.GL20.glUniform2f;
 import static org.lwjgl.opengl.GL20.glUniform3f;
 import static org.lwjgl.opengl.GL20.glUniformMatrix4fv;
 import static org.lwjgl.opengl.GL20.glUseProgram;
@@ -124,6 +125,16 @@ public final class ShaderProgram implements AutoCloseable {
     }
 
     /**
+     * Where a uniform is that not every variant of the program has.
+     *
+     * @param uniform its name in the shaders
+     * @return its location, or -1, which may be set and does nothing
+     */
+    int uniformIfUsed(String uniform) {
+        return glGetUniformLocation(id, uniform);
+    }
+
+    /**
      * Sets a uniform of the program in use.
      *
      * @param location from {@link #uniform}
@@ -141,6 +152,11 @@ public final class ShaderProgram implements AutoCloseable {
      */
     public static void set(int location, double value) {
         glUniform1f(location, (float) value);
+    }
+
+    /** Sets a vec2. */
+    static void set(int location, double x, double y) {
+        glUniform2f(location, (float) x, (float) y);
     }
 
     /**

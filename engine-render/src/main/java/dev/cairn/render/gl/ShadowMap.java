@@ -3,6 +3,7 @@ package dev.cairn.render.gl;
 import static org.lwjgl.opengl.GL11.GL_DEPTH_BUFFER_BIT;
 import static org.lwjgl.opengl.GL11.GL_DEPTH_COMPONENT;
 import static org.lwjgl.opengl.GL11.GL_LINEAR;
+import static org.lwjgl.opengl.GL11.GL_NEAREST;
 import static org.lwjgl.opengl.GL11.GL_NONE;
 import static org.lwjgl.opengl.GL11.GL_POLYGON_OFFSET_FILL;
 import static org.lwjgl.opengl.GL11.GL_TEXTURE_2D;
@@ -24,6 +25,8 @@ import static org.lwjgl.opengl.GL11.glTexParameterfv;
 import static org.lwjgl.opengl.GL11.glTexParameteri;
 import static org.lwjgl.opengl.GL11.glViewport;
 import static org.lwjgl.opengl.GL13.GL_CLAMP_TO_BORDER;
+import static org.lwjgl.opengl.GL13.GL_TEXTURE0;
+import static org.lwjgl.opengl.GL13.glActiveTexture;
 import static org.lwjgl.opengl.GL14.GL_DEPTH_COMPONENT24;
 import static org.lwjgl.opengl.GL14.GL_TEXTURE_COMPARE_MODE;
 import static org.lwjgl.opengl.GL30.GL_COMPARE_REF_TO_TEXTURE;
@@ -32,6 +35,8 @@ import static org.lwjgl.opengl.GL30.GL_FRAMEBUFFER;
 import static org.lwjgl.opengl.GL30.glBindFramebuffer;
 import static org.lwjgl.opengl.GL30.glFramebufferTexture2D;
 import static org.lwjgl.opengl.GL32.GL_DEPTH_CLAMP;
+import static org.lwjgl.opengl.GL33.glBindSampler;
+import static org.lwjgl.opengl.GL33.glSamplerParameteri;
 
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
@@ -55,6 +60,10 @@ final class ShadowMap implements AutoCloseable {
     private final int size;
     private final int framebuffer;
     private final int texture;
+
+    /** The map as numbers, without comparison. */
+    private final int numbers = GlObjects.sampler();
+
     private final ShaderProgram program;
     private final int matrixUniform;
     private final int alphaUniform;
@@ -97,6 +106,9 @@ final class ShadowMap implements AutoCloseable {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
         glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, new float[] {1, 1, 1, 1});
+        glSamplerParameteri(numbers, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glSamplerParameteri(numbers, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glSamplerParameteri(numbers, GL_TEXTURE_COMPARE_MODE, GL_NONE);
         framebuffer = GlObjects.framebuffer();
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
@@ -219,11 +231,19 @@ final class ShadowMap implements AutoCloseable {
         glBindTexture(GL_TEXTURE_2D, texture);
     }
 
+    /** Also at a second unit, where it is read as numbers. */
+    void bindNumbers(int unit) {
+        glActiveTexture(GL_TEXTURE0 + unit);
+        glBindTexture(GL_TEXTURE_2D, texture);
+        glBindSampler(unit, numbers);
+    }
+
     @Override
     public void close() {
         pass.close();
         program.close();
         GlObjects.deleteFramebuffer(framebuffer);
         GlObjects.deleteTexture(texture);
+        GlObjects.deleteSampler(numbers);
     }
 }

@@ -2,10 +2,11 @@ package dev.cairn.render.mesh;
 
 /** Textures made by arithmetic. All are light, since the model's colour is multiplied in. */
 final class Patterns {
-    static final Texture GRID = grid(256);
-    static final Texture PANEL = panel(128);
-    static final Texture BEACH_BALL = beachBall(256, 128);
+    static final Texture GRID = grid(256).finish(0.9, 0);
+    static final Texture PANEL = panel(128).finish(0.45, 0);
+    static final Texture BEACH_BALL = beachBall(256, 128).finish(0.3, 0);
     static final Texture MISSING = missing(64);
+    static final Texture METAL = Texture.WHITE.finish(0.25, 1);
 
     private Patterns() {}
 

@@ -22,6 +22,8 @@ public final class Texture {
     /** A quarter of a GiB while it is read. */
     private static final int MAX_PIXELS = 1 << 25;
 
+    private static final double ROUGH = 0.5;
+
     /** One white pixel: the colour of the model shows as it is. */
     public static final Texture WHITE = of("white", 1, 1, new int[] {0xFFFFFFFF});
 
@@ -30,13 +32,24 @@ public final class Texture {
     private final int height;
     private final int[] argb;
     private final double tileMetres;
+    private final double roughness;
+    private final double metal;
 
-    private Texture(String name, int width, int height, int[] argb, double tileMetres) {
+    private Texture(
+            String name,
+            int width,
+            int height,
+            int[] argb,
+            double tileMetres,
+            double roughness,
+            double metal) {
         this.name = name;
         this.width = width;
         this.height = height;
         this.argb = argb;
         this.tileMetres = tileMetres;
+        this.roughness = roughness;
+        this.metal = metal;
     }
 
     /**
@@ -72,7 +85,7 @@ public final class Texture {
                             + " * "
                             + height);
         }
-        return new Texture(name, width, height, argb.clone(), 0);
+        return new Texture(name, width, height, argb.clone(), 0, ROUGH, 0);
     }
 
     private static void bound(Path file, long found, String what) {
@@ -178,6 +191,16 @@ public final class Texture {
     }
 
     /**
+     * Brushed metal in the colour of the model: it mirrors sun and sky where {@link
+     * dev.cairn.render.camera.Effects#reflections} are drawn, and is plain elsewhere.
+     *
+     * @return the picture
+     */
+    public static Texture bareMetal() {
+        return Patterns.METAL;
+    }
+
+    /**
      * What is shown where a picture cannot be read: a checker of magenta and black, which nobody
      * takes for the real one.
      *
@@ -200,7 +223,7 @@ public final class Texture {
             throw new IllegalArgumentException(
                     "texture '" + name + "': tile is " + metres + " m, expected >= 0 and finite");
         }
-        return new Texture(name, width, height, argb, metres);
+        return new Texture(name, width, height, argb, metres, roughness, metal);
     }
 
     /**
@@ -249,18 +272,64 @@ public final class Texture {
     }
 
     /**
+     * The same picture on a surface of another finish, for what mirrors sun and sky; see {@link
+     * dev.cairn.render.camera.Effects}.
+     *
+     * @param newRoughness 0.05 (a mirror) .. 1 (chalk)
+     * @param newMetal 0 (paint, stone, plastic) .. 1 (bare metal, which mirrors in its own colour)
+     * @return a copy that shares the pixels
+     * @throws IllegalArgumentException if a number is out of range
+     */
+    public Texture finish(double newRoughness, double newMetal) {
+        if (!(newRoughness >= 0.05 && newRoughness <= 1 && newMetal >= 0 && newMetal <= 1)) {
+            throw new IllegalArgumentException(
+                    "texture '"
+                            + name
+                            + "': roughness is "
+                            + newRoughness
+                            + " and metal "
+                            + newMetal
+                            + ", expected 0.05..1 and 0..1");
+        }
+        return new Texture(name, width, height, argb, tileMetres, newRoughness, newMetal);
+    }
+
+    /**
+     * How rough the surface is.
+     *
+     * @return 0.05..1
+     */
+    public double roughness() {
+        return roughness;
+    }
+
+    /**
+     * How much of the surface is bare metal.
+     *
+     * @return 0..1
+     */
+    public double metal() {
+        return metal;
+    }
+
+    /**
      * Textures are equal if they share their pixels, not if they merely look alike, and are tiled
      * alike.
      */
     @Override
     @SuppressWarnings("ReferenceEquality") // Sharing is what is meant.
     public boolean equals(@Nullable Object other) {
-        return other instanceof Texture that && that.argb == argb && that.tileMetres == tileMetres;
+        return other instanceof Texture that
+                && that.argb == argb
+                && that.tileMetres == tileMetres
+                && that.roughness == roughness
+                && that.metal == metal;
     }
 
     @Override
     public int hashCode() {
-        return 31 * System.identityHashCode(argb) + Double.hashCode(tileMetres);
+        return 31 * (31 * System.identityHashCode(argb) + Double.hashCode(tileMetres))
+                + Double.hashCode(roughness + 2 * metal);
     }
 
     @Override

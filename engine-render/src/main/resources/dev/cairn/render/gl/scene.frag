@@ -4,44 +4,18 @@ in vec2 coordinate;
 in vec3 tilePosition;
 in vec3 tileNormal;
 in vec3 colour;
+#if HORIZON
+flat in vec3 middle;      // of the entity, anchored
+flat in float fadeMetres; // radius at which a wide floor ends; 0 = it is none
+#endif
 
 out vec4 pixel;
 
 uniform sampler2D surface;
-uniform sampler2DShadow shadowMap;
 uniform float tileMetres;      // 0 = the mesh's own coordinates
+uniform vec2 finish;           // roughness, share of metal
 uniform vec3 eye;              // anchored
-uniform vec3 sunDirection;     // unit, to the sun
-uniform vec3 sunLight;         // linear
-uniform vec3 skyLight;
-uniform vec3 groundLight;
-uniform vec3 horizonColour;    // linear
 uniform float hazeMetres;      // 0 = none
-uniform mat4 shadowFromAnchored;
-uniform float shadowTexelMetres; // 0 = no shadows
-uniform float shadowBias;
-
-// Part of the sun that reaches the surface: the mean of SHADOW_TAPS^2 comparisons, each bilinear over four texels.
-float sunVisible(vec3 normal) {
-    if (shadowTexelMetres == 0.0) {
-        return 1.0;
-    }
-    // Moved off the surface by more than a texel, so that a face does not shade itself.
-    vec3 p = (shadowFromAnchored * vec4(anchored + normal * (1.5 * shadowTexelMetres), 1.0)).xyz * 0.5 + 0.5;
-    if (p.z >= 1.0) {
-        return 1.0;
-    }
-    float step = 1.0 / float(textureSize(shadowMap, 0).x);
-    float sum = 0.0;
-    const float middle = 0.5 * float(SHADOW_TAPS - 1);
-    for (int i = 0; i < SHADOW_TAPS; i++) {
-        for (int j = 0; j < SHADOW_TAPS; j++) {
-            vec2 shift = (vec2(float(i), float(j)) - middle) * step;
-            sum += texture(shadowMap, vec3(p.xy + shift, p.z - shadowBias));
-        }
-    }
-    return sum / float(SHADOW_TAPS * SHADOW_TAPS);
-}
 
 // A face takes the two axes that it lies in.
 vec2 surfaceCoordinate() {
@@ -82,12 +56,33 @@ void main() {
     vec3 normal = normalize(worldNormal);
     vec3 albedo = surfaceColour(surfaceCoordinate()) * colour;
     float facing = max(dot(normal, sunDirection), 0.0);
-    float visible = facing > 0.0 ? sunVisible(normal) : 0.0;
+    float visible = facing > 0.0 ? sunVisible(anchored, normal) : 0.0;
     vec3 ambient = mix(groundLight, skyLight, 0.5 + 0.5 * normal.y);
-    vec3 light = albedo * (ambient + sunLight * (facing * visible));
+#if OCCLUSION
+    float open = openSky(anchored, normal, eye);
+#else
+    const float open = 1.0;
+#endif
+    vec3 light = albedo * (ambient * open + sunLight * (facing * visible));
+#if REFLECTIONS
+    vec3 view = normalize(eye - anchored);
+    float roughness = finish.x;
+    vec3 mirror = mix(vec3(0.04), albedo, finish.y);
+    light *= 1.0 - finish.y;
+    light += sunLight * (facing * visible) * glint(normal, view, sunDirection, roughness, mirror);
+    light += mirrored(normal, view, roughness, mirror, groundLight) * open;
+#endif
+    light = exposed(light);
     if (hazeMetres > 0.0) {
         float far = length(anchored - eye) / hazeMetres;
         light = mix(horizonColour, light, exp(-far * far));
     }
+#if HORIZON
+    // A wide floor dissolves into the ground behind it instead of ending in an edge.
+    if (fadeMetres > 0.0) {
+        vec3 from = anchored - middle;
+        light = mix(light, backdrop(anchored - eye), smoothstep(0.6, 1.0, length(from.xz) / fadeMetres));
+    }
+#endif
     pixel = vec4(encoded(light), 1.0);
 }

@@ -6,6 +6,10 @@ out vec2 coordinate;
 out vec3 tilePosition;
 out vec3 tileNormal;
 out vec3 colour;
+#if HORIZON
+flat out vec3 middle;
+flat out float fadeMetres;
+#endif
 
 void main() {
     vec4 turn = interpolatedTurn();
@@ -15,5 +19,9 @@ void main() {
     tilePosition = meshPosition * instanceScale();
     tileNormal = meshNormal;
     colour = texelFetch(look, 3 * int(slot) + 2).rgb;
+#if HORIZON
+    middle = interpolatedPlace();
+    fadeMetres = texelFetch(look, 3 * int(slot) + 1).w;
+#endif
     gl_Position = clipFromAnchored * vec4(anchored, 1.0);
 }

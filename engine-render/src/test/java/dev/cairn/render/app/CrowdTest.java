@@ -8,6 +8,7 @@ import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.render.app.Blocks.Block;
 import dev.cairn.render.app.Blocks.Hit;
 import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.Effects;
 import dev.cairn.render.camera.Light;
 import dev.cairn.render.gl.GlObjects;
 import dev.cairn.render.mesh.Mesh;
@@ -179,6 +180,7 @@ class CrowdTest extends Drawing {
         } finally {
             assertEquals(0, GlObjects.live(), "objects after closing");
             view = Offscreen.open(WIDTH, HEIGHT);
+            view.effects(Effects.PLAIN);
         }
     }
 
@@ -209,6 +211,7 @@ class CrowdTest extends Drawing {
             measureBytes(small);
         } finally {
             view = Offscreen.open(WIDTH, HEIGHT);
+            view.effects(Effects.PLAIN);
         }
     }
 

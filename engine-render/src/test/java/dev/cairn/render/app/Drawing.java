@@ -6,6 +6,7 @@ import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.render.app.Blocks.Block;
 import dev.cairn.render.app.Blocks.Hit;
 import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.Effects;
 import dev.cairn.render.camera.Light;
 
 import org.joml.Vector3d;
@@ -37,6 +38,7 @@ abstract class Drawing {
     static void open() {
         GlTests.require();
         view = Offscreen.open(WIDTH, HEIGHT);
+        view.effects(Effects.PLAIN);
     }
 
     @AfterAll

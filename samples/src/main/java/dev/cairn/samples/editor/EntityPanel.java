@@ -29,10 +29,16 @@ final class EntityPanel {
     };
 
     private static final List<String> TEXTURES =
-            List.of("", "builtin:plain", "builtin:grid", "builtin:panel", "builtin:beach-ball");
+            List.of(
+                    "",
+                    "builtin:plain",
+                    "builtin:grid",
+                    "builtin:panel",
+                    "builtin:beach-ball",
+                    "builtin:metal");
     private static final List<String> TEXTURE_NAMES =
-            List.of("of the shape", "plain", "grid", "panel", "beach ball", "a file");
-    private static final int FROM_FILE = 5;
+            List.of("of the shape", "plain", "grid", "panel", "beach ball", "metal", "a file");
+    private static final int FROM_FILE = 6;
     private static final int ROWS_BELOW = 6;
 
     private final Editor editor;

@@ -11,7 +11,12 @@ final class Textures {
     static final String PREFIX = "builtin:";
 
     static final List<String> NAMES =
-            List.of("builtin:plain", "builtin:grid", "builtin:panel", "builtin:beach-ball");
+            List.of(
+                    "builtin:plain",
+                    "builtin:grid",
+                    "builtin:panel",
+                    "builtin:beach-ball",
+                    "builtin:metal");
 
     private Textures() {}
 
@@ -22,6 +27,7 @@ final class Textures {
             case "builtin:grid" -> Texture.grid();
             case "builtin:panel" -> Texture.panel();
             case "builtin:beach-ball" -> Texture.beachBall();
+            case "builtin:metal" -> Texture.bareMetal();
             default -> null;
         };
     }

@@ -3,6 +3,8 @@ package dev.cairn.samples.scenes;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.render.mesh.Model;
+import dev.cairn.render.mesh.Texture;
 import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
@@ -46,12 +48,16 @@ public final class Cradle {
                 Cradle::build);
     }
 
+    private static final int COMING = 0xE3A88A;
+    private static final int WAITING = 0xC9CED6;
+
     private static void build(SceneBuilder scene) {
         int count = scene.count("balls");
         int coming = Math.min(scene.count("coming"), count - 1);
         double speed = scene.get("speed");
         scene.floor(8, 4, 0, 0);
         Sphere ball = Sphere.of(RADIUS);
+        Model steel = Model.of(ball).texture(Texture.bareMetal());
         List<BodyRef> balls = new ArrayList<>();
         double pitch = 2 * RADIUS + GAP;
         for (int i = 0; i < count; i++) {
@@ -59,7 +65,7 @@ public final class Cradle {
             balls.add(
                     scene.add(
                             ball,
-                            Palette.body(moves ? 0 : 3),
+                            steel.color(moves ? COMING : WAITING),
                             Body.dynamic()
                                     .at(
                                             pitch * (i - 0.5 * (count - 1)) - (moves ? RUN : 0),

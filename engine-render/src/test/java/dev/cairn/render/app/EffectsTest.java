@@ -1,0 +1,173 @@
+package dev.cairn.render.app;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.physics.shape.Box;
+import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.Effects;
+import dev.cairn.render.camera.Light;
+import dev.cairn.render.mesh.Meshes;
+import dev.cairn.render.mesh.Model;
+import dev.cairn.render.mesh.Texture;
+
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** Each effect by what it must do to a picture, and that it does nothing else. */
+class EffectsTest extends Drawing {
+    private static final Light NOON = SUNNY.from(0, 1, 0);
+
+    private final Stage stage = new Stage();
+
+    @AfterEach
+    void plainAgain() {
+        view.effects(Effects.PLAIN);
+        stage.close();
+    }
+
+    private Picture draw(String effects, Camera camera, Light light) {
+        view.effects(Effects.named(effects));
+        return draw(stage.publish(), 1, camera, light);
+    }
+
+    /** A white floor of 2 x 10 m, seen from straight above, under a roof over its left half. */
+    private Camera underARoof(double height) {
+        stage.place(floor(2, 10), 0, -0.5, 0);
+        stage.place(Model.of(Box.ofHalfExtents(4, 0.05, 10)), -4, height, 0);
+        return new Camera().position(0, 1, 0).lookAt(0, 0, -1e-3);
+    }
+
+    private static Model floor(double halfX, double halfZ) {
+        return Model.of(Box.ofHalfExtents(halfX, 0.5, halfZ)).texture(Texture.WHITE).color(0x808080);
+    }
+
+    private static int grey(int rgb) {
+        return (rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255);
+    }
+
+    /** Columns of the middle row that are neither in the light nor in the shadow. */
+    private static int penumbra(Picture picture) {
+        int dark = grey(picture.at(10, HEIGHT / 2));
+        int bright = grey(picture.at(WIDTH - 10, HEIGHT / 2));
+        assertTrue(bright > dark + 60, dark + " and " + bright);
+        int count = 0;
+        for (int x = 0; x < WIDTH; x++) {
+            double share = (grey(picture.at(x, HEIGHT / 2)) - dark) / (double) (bright - dark);
+            count += share > 0.1 && share < 0.9 ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** The edge of a disc's image is 2 h tan(half the disc) wide. */
+    @Test
+    void theEdgeOfAShadowIsAsWideAsItsCasterIsHigh() {
+        Camera camera = underARoof(2);
+        int low = penumbra(draw("soft-shadows", camera, NOON));
+        int hard = penumbra(draw("plain", camera, NOON));
+        assertTrue(low > hard, "at 2 m " + low + ", without the effect " + hard);
+        stage.clear();
+        underARoof(4);
+        int high = penumbra(draw("soft-shadows", camera, NOON));
+        assertTrue(high > 1.5 * low && high < 2.6 * low, low + " pixels at 2 m, " + high + " at 4 m");
+    }
+
+    @Test
+    void cornersGetLessOfTheSkyAndTheOpenPlainGetsAllOfIt() {
+        stage.place(floor(10, 10), 0, -0.5, 0);
+        stage.place(Model.of(Meshes.CUBE), 0, 1, 0);
+        Camera camera = new Camera().position(0, 4, 8).lookAt(0, 0.5, 0);
+        Picture without = draw("plain", camera, FLAT);
+        Picture with = draw("occlusion", camera, FLAT);
+        int darker = 0;
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                int change = grey(with.at(x, y)) - grey(without.at(x, y));
+                assertTrue(change <= 3, "brighter at " + x + ", " + y);
+                darker += change < -15 ? 1 : 0;
+            }
+        }
+        assertTrue(darker > 300, darker + " pixels are darker");
+        int open = grey(with.at(WIDTH / 2, HEIGHT - 4)) - grey(without.at(WIDTH / 2, HEIGHT - 4));
+        assertTrue(Math.abs(open) <= 3, "far from all corners by " + open);
+    }
+
+    /** A mirror that faces the eye at 45 degrees shows the zenith, and paint does not. */
+    @Test
+    void metalMirrorsTheSkyInItsOwnColour() {
+        Light light = FLAT.background(0x2040C0, 0x2040C0);
+        Model plate = Model.of(Meshes.CUBE).texture(Texture.WHITE.finish(0.05, 1)).color(0xFFFFFF);
+        stage.place(plate.scale(5, 0.5, 5), 0, -0.5, 0);
+        Camera camera = new Camera().position(0, 5, 5).lookAt(0, 0, 0);
+        int mirror = draw("reflections", camera, light).at(WIDTH / 2, HEIGHT / 2);
+        assertTrue(Blocks.difference(0x2040C0, mirror) < 12, "%06x".formatted(mirror));
+        stage.clear();
+        stage.place(plate.color(0xFF0000).scale(5, 0.5, 5), 0, -0.5, 0);
+        int red = draw("reflections", camera, light).at(WIDTH / 2, HEIGHT / 2);
+        assertTrue((red & 255) < 40 && (red >> 16 & 255) > 15, "%06x".formatted(red));
+        assertThrows(IllegalArgumentException.class, () -> Texture.WHITE.finish(0, 0));
+        assertThrows(IllegalArgumentException.class, () -> Texture.WHITE.finish(0.5, 1.1));
+    }
+
+    /** Brighter stays brighter, and twice what white sends out can still be told from it. */
+    @Test
+    void filmKeepsTheOrderOfBrightnessAndHasRoomAboveWhite() {
+        stage.place(floor(10, 10), 0, -0.5, 0);
+        Camera camera = new Camera().position(0, 4, 4).lookAt(0, 0, 0);
+        int before = -1;
+        for (double strength : new double[] {0.02, 0.1, 0.5, 1, 2, 4, 8}) {
+            Light light = FLAT.strengths(0, strength);
+            int now = grey(draw("filmic", camera, light).at(WIDTH / 2, HEIGHT / 2));
+            assertTrue(now > before, "strength " + strength + ": " + now + " after " + before);
+            before = now;
+        }
+    }
+
+    @Test
+    void aWideFloorEndsInTheHorizon() {
+        Model ground = Model.ground(Box.ofHalfExtents(40, 0.5, 40));
+        stage.place(ground, 0, -0.5, 0);
+        Camera camera = new Camera().position(0, 6, 0).lookAt(0, 6, -10);
+        Light light = Light.DAYLIGHT.haze(0);
+        assertTrue(step(draw("plain", camera, light)) > 60, "without the effect an edge is seen");
+        int edge = step(draw("horizon", camera, light));
+        assertTrue(edge < 30, "the greatest step is " + edge);
+        stage.clear();
+        stage.place(Model.ground(Box.ofHalfExtents(3, 0.5, 3)), 0, -0.5, 0);
+        Camera above = new Camera().position(0, 6, 6).lookAt(0, 0, 0);
+        assertEquals(
+                draw("plain", above, light).at(WIDTH / 2, HEIGHT / 2),
+                draw("horizon", above, light).at(WIDTH / 2, HEIGHT / 2),
+                "a small floor is a thing like others");
+    }
+
+    /** The greatest change from one row to the next in the middle of the picture. */
+    private static int step(Picture picture) {
+        int most = 0;
+        for (int y = 1; y < HEIGHT * 5 / 8; y++) {
+            int above = grey(picture.at(WIDTH / 2, y - 1));
+            most = Math.max(most, Math.abs(grey(picture.at(WIDTH / 2, y)) - above));
+        }
+        return most;
+    }
+
+    @Test
+    void theSamePictureHasTheSameBytes() {
+        Camera camera = underARoof(2);
+        int[] first = draw("all", camera, SUNNY).argb();
+        draw("plain", camera, SUNNY);
+        assertArrayEquals(first, draw("all", camera, SUNNY).argb());
+    }
+
+    @Test
+    void namesAreThoseOfTheEffects() {
+        assertEquals(Effects.ALL, Effects.named("soft-shadows,occlusion,reflections,filmic,horizon"));
+        assertEquals(Effects.PLAIN, Effects.named("plain"));
+        assertEquals(new Effects(false, true, false, true, false), Effects.named("filmic, occlusion"));
+        IllegalArgumentException unknown =
+                assertThrows(IllegalArgumentException.class, () -> Effects.named("bloom"));
+        assertTrue(String.valueOf(unknown.getMessage()).contains("soft-shadows"));
+    }
+}
