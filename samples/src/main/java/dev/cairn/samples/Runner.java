@@ -122,7 +122,9 @@ final class Runner {
                         request.substeps(),
                         request.sleepingOr(true),
                         out);
-        window.beginWith(request.scenes().get(0));
+        // Nothing was chosen: begin with a spectacle.
+        boolean any = request.scenes().size() == SceneRegistry.all().size();
+        window.beginWith(any ? SceneRegistry.get("junkyard") : request.scenes().get(0));
         window.step(request.stepSeconds());
         window.settings(
                 PhysicsSettings.DEFAULT

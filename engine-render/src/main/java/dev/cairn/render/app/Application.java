@@ -176,6 +176,15 @@ public abstract class Application {
     }
 
     /**
+     * How fast the scene runs, as people say it.
+     *
+     * @return such as "1x", "4x" or "1/4x"
+     */
+    public final String speedText() {
+        return Speeds.text(timeScale());
+    }
+
+    /**
      * Chooses what is drawn beyond the plain picture. Without a choice it is {@link Effects#ALL} on
      * a graphics processor and in pictures, {@link Effects#PLAIN} in the window of a software
      * rasteriser. Any thread.

@@ -27,11 +27,11 @@ final class DefaultKeys {
                 .onKey(
                         Key.LEFT_BRACKET,
                         "slower",
-                        () -> to.timeScale(Math.max(to.timeScale() / 2, 1.0 / 64)))
+                        () -> to.timeScale(Math.max(to.timeScale() / 2, Speeds.SLOWEST)))
                 .onKey(
                         Key.RIGHT_BRACKET,
                         "faster",
-                        () -> to.timeScale(Math.min(to.timeScale() * 2, 16)))
+                        () -> to.timeScale(Math.min(to.timeScale() * 2, Speeds.FASTEST)))
                 .onKey(Key.BACKSLASH, "real time", () -> to.timeScale(1))
                 .onKey(Key.F12, "save picture", wishes::askForScreenshot)
                 .onKey(Key.F11, "full screen", () -> to.fullscreen(!to.isFullscreen()))

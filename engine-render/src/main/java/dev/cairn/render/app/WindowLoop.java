@@ -310,7 +310,7 @@ final class WindowLoop {
         if (paused) {
             title.put("paused at tick ").put(steps);
         } else {
-            title.put("x").putDigits(simulation.timeScale(), 3).put(", ");
+            title.put(Speeds.text(simulation.timeScale())).put(", ");
             title.put(view.framesPerSecond(), 0).put(" fps");
         }
         FrameCalls.title(window, titleLetters.of(title));

@@ -273,6 +273,9 @@ public enum Key implements Trigger {
             case "LEFT_BRACKET" -> "[";
             case "RIGHT_BRACKET" -> "]";
             case "BACKSLASH" -> "\\";
+            case "LEFT_SHIFT" -> "Shift";
+            case "LEFT_CONTROL" -> "Ctrl";
+            case "LEFT_ALT" -> "Alt";
             case "LEFT" -> "Left arrow";
             case "RIGHT" -> "Right arrow";
             case "UP" -> "Up arrow";

@@ -12,7 +12,7 @@ public sealed interface Trigger permits Key, MouseButton, Chord {
     /**
      * What a person calls it.
      *
-     * @return such as "F1", "Left shift", "Ctrl+S", "Right button"
+     * @return such as "F1", "Shift", "Ctrl+S", "Right button"
      */
     String label();
 

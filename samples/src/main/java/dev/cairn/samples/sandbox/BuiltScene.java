@@ -1,6 +1,8 @@
 package dev.cairn.samples.sandbox;
 
+import dev.cairn.physics.BodyRef;
 import dev.cairn.render.app.Scene;
+import dev.cairn.render.camera.Camera;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneView;
@@ -8,6 +10,7 @@ import dev.cairn.samples.UsageException;
 import dev.cairn.samples.replay.Looks;
 import dev.cairn.samples.replay.RunFile;
 
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
 import java.io.PrintStream;
@@ -144,8 +147,23 @@ final class BuiltScene {
     /** Places the camera where the scene wants it. */
     void lookFromStart(Scene scene) {
         if (built != null) {
+            scene.camera().release();
             built.view().place(scene.camera());
         }
+    }
+
+    /** Has the camera ride on a body from where it is; on the same body again, no more. */
+    boolean follow(Scene scene, long entity) {
+        Camera camera = scene.camera();
+        BodyRef body = scene.physics().bodyOf(entity);
+        boolean follows = body != null && !body.isFixed() && camera.followed() != entity;
+        camera.release();
+        if (body != null && follows) {
+            Vector3d from = camera.position(new Vector3d());
+            from.sub(body.position(new Vector3d()));
+            camera.follow(entity, from.x, from.y, from.z, true);
+        }
+        return follows;
     }
 
     /** Runs the scene's hooks; false without a scene. */

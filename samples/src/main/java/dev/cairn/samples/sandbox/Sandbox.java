@@ -72,6 +72,10 @@ public class Sandbox extends Application {
     private final boolean sleeping;
     private boolean bound;
     private long stepStartNanos;
+
+    /** Width of the picture by its height; the window's thread writes it. */
+    private volatile double aspect = 1;
+
     private @Nullable String noWindow;
 
     /**
@@ -318,7 +322,7 @@ public class Sandbox extends Application {
 
     void throwBall() {
         if (!stage.rests()) { // What is edited is the file's contents and nothing else.
-            thrower.throwBall(scene().physics(), scene().camera());
+            thrower.throwBall(scene(), aspect);
             publishState(); // also in a pause
         }
     }
@@ -386,6 +390,13 @@ public class Sandbox extends Application {
         hand.aim(eye, direction);
     }
 
+    /** Has the camera ride on a body from where it is; on the same body again, no more. */
+    void follow(long entity) {
+        if (built.follow(scene(), entity)) {
+            notice("The camera follows; double click again to stop");
+        }
+    }
+
     void letGo() {
         hand.release();
     }
@@ -444,6 +455,7 @@ public class Sandbox extends Application {
     @Override
     protected void panels(Ui ui, View view) {
         SandboxState state = states.latest();
+        aspect = view.aspect();
         showJoints(editor.mode() == Editor.Mode.REST);
         if (editor.mode() == Editor.Mode.CLOSED) {
             panels.draw(ui, view, state);

@@ -20,6 +20,7 @@ final class SandboxPanels {
     private static final double GAP = 10;
     private static final double LEFT_WIDTH = 290;
     private static final int ROPE = 0xFFE082;
+    private static final long DOUBLE_NANOS = 400_000_000;
     private static final int PROBLEM = 0xFF7A7A;
 
     private final Sandbox sandbox;
@@ -32,6 +33,8 @@ final class SandboxPanels {
     private final Map<String, Double> asked = new HashMap<>();
 
     private int shownScene = -1;
+    private long pressedEntity;
+    private long pressedNanos;
     private boolean pulling;
     private volatile boolean hidden;
 
@@ -87,6 +90,10 @@ final class SandboxPanels {
         if (pointer.wasPressed(MouseButton.LEFT)) {
             Pick pick = view.pick(pointer.across(), pointer.upwards());
             if (pick != null) {
+                if (isDouble(pick.entity())) {
+                    sandbox.post(() -> sandbox.follow(pick.entity()));
+                    return;
+                }
                 Vector3d local = new Vector3d(pick.localX(), pick.localY(), pick.localZ());
                 sandbox.post(() -> sandbox.grab(pick.entity(), pick.distance(), local));
                 pulling = true;
@@ -113,6 +120,15 @@ final class SandboxPanels {
             view.line(a.x, a.y, a.z, b.x, b.y, b.z, ROPE, 1.5);
             view.line(a.x, a.y, a.z, a.x, a.y, a.z, ROPE, 4);
         }
+    }
+
+    /** Whether this press is the second on one thing. */
+    private boolean isDouble(long entity) {
+        long now = System.nanoTime();
+        boolean second = entity == pressedEntity && now - pressedNanos < DOUBLE_NANOS;
+        pressedEntity = entity;
+        pressedNanos = second ? now - DOUBLE_NANOS : now;
+        return second;
     }
 
     // Left -------------------------------------------------------------------------------------

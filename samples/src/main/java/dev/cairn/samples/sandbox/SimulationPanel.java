@@ -4,6 +4,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.profile.StepStage;
 import dev.cairn.render.app.DebugLayer;
 import dev.cairn.render.app.View;
+import dev.cairn.render.camera.Effects;
 import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
 
@@ -13,6 +14,8 @@ import java.util.Locale;
 final class SimulationPanel {
     private static final double GAP = 10;
     private static final double WIDTH = 290;
+    private static final double SLOWEST = 1.0 / 64;
+    private static final double FASTEST = 16;
     private static final int MOST_SUBSTEPS = 32;
     private static final int[] CURVES = {0xFFB74D, 0xF06292, 0xBA68C8, 0xA1887F};
     private static final int[] STAGE_CURVES = {0x81C784, 0x4FC3F7, 0xFFB74D, 0xF06292, 0xBA68C8};
@@ -45,7 +48,7 @@ final class SimulationPanel {
     void draw(Ui ui, View view, SandboxState state, double height, boolean edited) {
         if (ui.panel("Simulation", ui.width() - WIDTH - GAP, GAP, WIDTH, height)) {
             controls(ui, view, state);
-            if (ui.section("Plots", true)) {
+            if (ui.section("Plots", false)) {
                 plots(ui, state.history);
                 ui.endSection();
             }
@@ -90,11 +93,14 @@ final class SimulationPanel {
         if (ui.button("Keys (F1)")) {
             sandbox.showHelp(!sandbox.isHelpShown());
         }
-        double scale = sandbox.timeScale();
-        double octaves = Math.log(scale) / Math.log(2);
-        double moved = ui.slider("speed 2^", octaves, -6, 4, 1, "simulated by real time");
-        if (moved != octaves) {
-            sandbox.timeScale(Math.pow(2, moved));
+        if (ui.button("Slower ([)")) {
+            sandbox.timeScale(Math.max(SLOWEST, sandbox.timeScale() / 2));
+        }
+        if (ui.button(sandbox.speedText())) {
+            sandbox.timeScale(1);
+        }
+        if (ui.button("Faster (])")) {
+            sandbox.timeScale(Math.min(FASTEST, sandbox.timeScale() * 2));
         }
         ui.value("time", text.clear().put(state.seconds, 2).put(" s, tick ").put(state.tick));
         ui.value(
@@ -194,12 +200,29 @@ final class SimulationPanel {
     private void window(Ui ui) {
         sandbox.fullscreen(ui.checkbox("full screen (F11)", sandbox.isFullscreen()));
         sandbox.vsync(ui.checkbox("wait for the screen", sandbox.isVsync()));
+        effects(ui);
         ui.columns(4);
         for (int i = 0; i < SCALES.length; i++) {
             boolean chosen = SCALES[i] == sandbox.panelScale();
             if (ui.button(chosen ? CHOSEN_SCALE_NAMES[i] : SCALE_NAMES[i])) {
                 sandbox.panelScale(SCALES[i]);
             }
+        }
+    }
+
+    private void effects(Ui ui) {
+        Effects now = sandbox.effects();
+        boolean soft = ui.checkbox("soft shadows", now.softShadows());
+        boolean dim = ui.checkbox("dim corners", now.occlusion());
+        boolean mirrors = ui.checkbox("reflections", now.reflections());
+        boolean film = ui.checkbox("film's light and dark", now.filmic());
+        boolean horizon = ui.checkbox("ground to the horizon", now.horizon());
+        if (soft != now.softShadows()
+                || dim != now.occlusion()
+                || mirrors != now.reflections()
+                || film != now.filmic()
+                || horizon != now.horizon()) {
+            sandbox.effects(new Effects(soft, dim, mirrors, film, horizon));
         }
     }
 

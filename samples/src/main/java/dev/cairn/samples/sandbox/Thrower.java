@@ -1,7 +1,8 @@
 package dev.cairn.samples.sandbox;
 
-import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.render.app.Scene;
 import dev.cairn.render.camera.Camera;
+import dev.cairn.render.input.Mouse;
 import dev.cairn.samples.replay.Act.What;
 import dev.cairn.samples.replay.Player;
 
@@ -9,7 +10,7 @@ import org.joml.Vector3d;
 
 import java.util.List;
 
-/** Throws balls from where the camera is. Simulation thread. */
+/** Throws balls from where the camera is, along a ray. Simulation thread. */
 final class Thrower {
     private final Diary diary;
     private Ball ball = Ball.DEFAULT;
@@ -43,9 +44,18 @@ final class Thrower {
         ball = value;
     }
 
-    void throwBall(PhysicsWorld world, Camera camera) {
+    /**
+     * Throws one along the ray through the mouse.
+     *
+     * @param scene that is seen
+     * @param aspect width of the picture by its height
+     */
+    void throwBall(Scene scene, double aspect) {
+        Camera camera = scene.camera();
+        Mouse mouse = scene.bindings().mouse();
+        Vector3d ahead = new Vector3d();
+        camera.ray(2 * mouse.x() - 1, 1 - 2 * mouse.y(), aspect, ahead);
         Vector3d eye = camera.position(new Vector3d());
-        Vector3d ahead = camera.forward(new Vector3d());
         double start = ball.radius + camera.near() + 0.3;
         List<Double> thrownBall =
                 List.of(
@@ -58,7 +68,7 @@ final class Thrower {
                         ball.radius,
                         ball.density,
                         (double) ++thrown);
-        Player.throwBall(world, thrownBall);
+        Player.throwBall(scene.physics(), thrownBall);
         diary.add(What.THROW, thrownBall);
     }
 }

@@ -28,6 +28,8 @@ class MannersTest extends WindowFixture {
     void itSleepsLooksRebindsAndClosesWhenAsked() throws IOException, InterruptedException {
         aMinimisedWindowDrawsNothingWhileTheSceneGoesOn();
         theCrossOfMouseLookHasBothArms();
+        aDoubleClickHasTheCameraFollow();
+        theSpeedReadsAsPeopleSayIt();
         aTakenKeyComesBackByReset();
         try (WindowManager manager = manager()) {
             manager.askToClose();
@@ -46,6 +48,28 @@ class MannersTest extends WindowFixture {
             assertEquals(asleep.number("frame") + 1, again.number("frame"), last);
             assertTrue(again.number("tick") >= before.number("tick") + 120, last);
         }
+    }
+
+    private void aDoubleClickHasTheCameraFollow() throws IOException, InterruptedException {
+        moveTo(512, 340);
+        type("click", "--repeat", "2", "--delay", "60", "1");
+        await("the camera to follow", seen -> seen.flag("followed"));
+        settle();
+        look("followed");
+        type("click", "--repeat", "2", "--delay", "60", "1");
+        await("the camera to stand still", seen -> !seen.flag("followed"));
+    }
+
+    private void theSpeedReadsAsPeopleSayIt() throws IOException, InterruptedException {
+        type("key", "bracketleft", "bracketleft");
+        long end = System.nanoTime() + 20_000_000_000L;
+        while (!title().contains(" - 1/4x, ") && System.nanoTime() < end) {
+            now();
+        }
+        assertTrue(title().contains(" - 1/4x, "), title());
+        settle();
+        look("slow-motion");
+        type("key", "backslash");
     }
 
     /** White over what is behind it: the pixels of both arms differ from those between them. */
@@ -86,8 +110,6 @@ class MannersTest extends WindowFixture {
     }
 
     private void aTakenKeyComesBackByReset() throws IOException, InterruptedException {
-        click("Plots");
-        settle();
         click("Keys");
         await("the keys", seen -> seen.values().containsKey("sinkX"));
         click("sink");

@@ -88,8 +88,6 @@ class NothingLostTest extends WindowFixture {
         Seen start = now();
         type("key", "F7");
         await("a ball by the kept key", seen -> seen.number("bodies") > start.number("bodies"));
-        click("Plots");
-        settle();
         click("Keys");
         await("the keys", seen -> seen.values().containsKey("sinkX"));
         click("sink");
@@ -117,8 +115,6 @@ class NothingLostTest extends WindowFixture {
         await("it to be let go", seen -> !seen.flag("pulling"));
         await("ten ticks again", seen -> seen.number("quiet") >= 10);
         assertEquals(0, now().number("shortened"), last);
-        click("Plots");
-        settle();
         // So that the buttons stay in the window when all grows by a half.
         type("key", "F11");
         await("the whole screen", seen -> seen.number("uiWidth") == 1100);

@@ -3,6 +3,7 @@ package dev.cairn.samples.sandbox;
 import dev.cairn.render.app.DebugLayer;
 import dev.cairn.render.app.Scene;
 import dev.cairn.render.app.View;
+import dev.cairn.render.camera.Camera;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.SampleScene;
@@ -167,7 +168,7 @@ final class SandboxProbe extends Sandbox {
                     + " substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d shortened=%d"
                     + " oldest=%d newest=%d kept=%d future=%b apart=%.9f sameAgain=%d otherAgain=%d"
                     + " digestTick=%d digest=%016x barX=%.1f barY=%.1f barWidth=%.1f sinkKeys=%s"
-                    + " listKeys=%s%s%n",
+                    + " listKeys=%s followed=%b%s%n",
                 view.frames(),
                 state.tick,
                 view.snapshot().tick(),
@@ -209,6 +210,7 @@ final class SandboxProbe extends Sandbox {
                 bar == null ? -1 : bar[2],
                 keysOf("sink"),
                 keysOf("list keys"),
+                view.camera().followed() != Camera.NOTHING,
                 places(ui));
         out.flush();
         bytesBefore = threads.getCurrentThreadAllocatedBytes();
