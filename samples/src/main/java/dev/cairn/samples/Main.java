@@ -56,6 +56,7 @@ import java.util.Map;
             "  samples --decompose mug.obj --out mug.json   (convex parts; --decompose --help)",
             "  samples accuracy --quick      (compares with closed forms; accuracy --help)",
             "  samples fuzz --worlds 1000    (random worlds against laws; fuzz --help)",
+            "  samples gallery               (the animations of docs/gallery.md)",
             "",
             "Exit codes: 0 done; 1 a scene failed; 2 the options make no sense (one line says why)."
         })
@@ -252,6 +253,15 @@ public final class Main {
                 return first.equals("fuzz")
                         ? FuzzCommand.run(rest, out, err, onTerminal())
                         : AccuracyCommand.run(rest, out, err, onTerminal());
+            } catch (UncheckedIOException unwritable) {
+                err.println(oneLine(unwritable));
+                return FAILED;
+            }
+        }
+        if (first.equals("gallery")) {
+            try {
+                return GalleryCommand.run(
+                        Arrays.copyOfRange(arguments, 1, arguments.length), out, err);
             } catch (UncheckedIOException unwritable) {
                 err.println(oneLine(unwritable));
                 return FAILED;

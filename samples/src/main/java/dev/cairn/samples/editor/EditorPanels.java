@@ -72,6 +72,9 @@ public final class EditorPanels {
     private int stepsBefore;
     private int restFrames;
 
+    /** Whether the camera shall go to what is selected. */
+    private boolean frames;
+
     /**
      * Panels.
      *
@@ -125,6 +128,7 @@ public final class EditorPanels {
                 .onChord(Key.S, "editor: save", () -> askOpen(known -> save()))
                 .onChord(Key.D, "editor: duplicate", () -> askAtRest(Editor::duplicate))
                 .onKey(Key.C, "editor: duplicate", () -> askAtRest(Editor::duplicate))
+                .onKey(Key.F, "editor: look at it", () -> askAtRest(known -> frames = true))
                 .onKey(Key.DELETE, "editor: delete", () -> askAtRest(Editor::delete));
     }
 
@@ -219,6 +223,11 @@ public final class EditorPanels {
             fileName = file == null ? fileName : String.valueOf(file.getFileName());
         }
         mouse(view, entities);
+        EntitySpec chosen = editor.selectedEntity();
+        if (frames && chosen != null) {
+            Sizes.of(chosen).frame(view.camera(), chosen.position());
+        }
+        frames = false;
         double height = ui.height() - 2 * GAP;
         double upper = Math.min(height - 150, 420);
         if (ui.panel("Editor", GAP, GAP, LEFT_WIDTH, upper)) {

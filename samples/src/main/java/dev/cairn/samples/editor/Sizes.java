@@ -1,5 +1,6 @@
 package dev.cairn.samples.editor;
 
+import dev.cairn.render.camera.Camera;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.PartSpec;
 import dev.cairn.samples.scenefile.ShapeSpec;
@@ -33,6 +34,9 @@ record Sizes(Xyz low, Xyz high) {
     /** A half-space is shown as a square of this half width, m. */
     private static final double GROUND_HALF = 5;
 
+    /** The camera goes no nearer than to a ball of this radius, m. */
+    private static final double LEAST_RADIUS = 0.1;
+
     static Sizes of(EntitySpec entity) {
         Xyz s = entity.scale();
         if (entity.physics().parts().isEmpty()) {
@@ -45,6 +49,16 @@ record Sizes(Xyz low, Xyz high) {
             corners.addAll(List.of(of(part.shape(), s).corners(place, part.rotation())));
         }
         return around(corners);
+    }
+
+    /** Moves a camera, along the way that it looks, to where it sees all of what stands there. */
+    void frame(Camera camera, Xyz place) {
+        Vector3d diagonal =
+                new Vector3d(high.x() - low.x(), high.y() - low.y(), high.z() - low.z());
+        double radius = Math.max(0.5 * diagonal.length(), LEAST_RADIUS);
+        double distance = 1.3 * radius / Math.sin(camera.fieldOfView() / 2);
+        Vector3d from = camera.forward(new Vector3d()).mul(-distance);
+        camera.moveTo(from.x + place.x(), from.y + place.y(), from.z + place.z());
     }
 
     private static Sizes of(ShapeSpec shape, Xyz s) {

@@ -15,10 +15,12 @@ public final class Film implements AutoCloseable {
     private static final int HEIGHT = 270;
     private static final int TICKS = 3;
 
+    private final int ticksPerFrame;
+
     private final SceneBuilder scene;
     private final Camera camera;
     private final SnapshotExchange exchange = new SnapshotExchange();
-    private final Offscreen screen = Offscreen.open(WIDTH, HEIGHT);
+    private final Offscreen screen;
     private final AnimatedPng animation;
 
     /**
@@ -27,11 +29,26 @@ public final class Film implements AutoCloseable {
      * @param built a scene at tick 0
      */
     public Film(SceneBuilder built) {
+        this(built, WIDTH, HEIGHT, TICKS);
+    }
+
+    /**
+     * Opens the camera.
+     *
+     * @param built a scene at tick 0
+     * @param width pixels
+     * @param height pixels
+     * @param ticksPerFrame how many ticks a frame is shown
+     */
+    public Film(SceneBuilder built, int width, int height, int ticksPerFrame) {
+        this.ticksPerFrame = ticksPerFrame;
+        screen = Offscreen.open(width, height);
         scene = built;
         camera = built.view().place(new Camera());
         CameraMount.attach(built.world().ecs(), camera);
         animation =
-                new AnimatedPng(WIDTH, HEIGHT, (int) Math.rint(1000 * TICKS * built.stepSeconds()));
+                new AnimatedPng(
+                        width, height, (int) Math.rint(1000 * ticksPerFrame * built.stepSeconds()));
     }
 
     /**
@@ -41,7 +58,7 @@ public final class Film implements AutoCloseable {
      * @param tick that was done last
      */
     public void shoot(PhysicsWorld world, int tick) {
-        if (tick % TICKS == 1) {
+        if (tick % ticksPerFrame == 1) {
             exchange.publish(world.ecs());
             screen.draw(exchange.latest(), 1, camera, scene.light());
             animation.add(screen.picture().argb());

@@ -131,6 +131,12 @@ class EditorWindowTest extends WindowFixture {
         type("key", "ctrl+z");
         await("the box to be back, selected", seen -> seen.number("selected") == 1);
 
+        type("key", "f");
+        await("the camera to go to the box", seen -> seen.number("eyeZ") < 6);
+        settle();
+        look("editor-framed");
+        type("key", "Home");
+        await("the camera to be back", seen -> seen.number("eyeZ") == start.number("eyeZ"));
         type("key", "ctrl+s");
         Seen saved = await("the file", seen -> !seen.flag("changed"));
         assertEquals(2, SceneReader.read(folder.resolve("scene.json")).entities().size());
@@ -145,8 +151,12 @@ class EditorWindowTest extends WindowFixture {
         await("the question", seen -> seen.flag("asked"));
         type("key", "Escape");
         await("to stay", seen -> !seen.flag("asked"));
-        type("key", "Escape");
+        try (WindowManager manager = manager()) {
+            manager.askToClose();
+        }
         await("the question again", seen -> seen.values().containsKey("Quit_without_savingX"));
+        settle();
+        look("leave-question");
         click(LeaveQuestion.GIVE_UP);
         assertEquals(0, ended());
     }

@@ -79,7 +79,7 @@ public final class Car {
             front[0].target(JointAxis.SWING_Y, steer);
             front[1].target(JointAxis.SWING_Y, steer);
         });
-        scene.view(new SceneView(2, 5, 12, 2, 0.5, 0));
+        scene.view(new SceneView(-2, 3, 7.5, 2.5, 0.4, 0));
         Gaps.watch(scene, "gapMetres", 1);
     }
 }

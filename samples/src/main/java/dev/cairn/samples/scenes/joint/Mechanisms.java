@@ -286,7 +286,7 @@ public final class Mechanisms {
                                             .springMost(JointAxis.TWIST, 500));
             last = link;
         }
-        scene.view(new SceneView(2, 2.5, 5, 0, 1.4, 0));
+        scene.view(new SceneView(1.8, 1.9, 4.2, 0, 0.3, 0));
         scene.beforeTick((tick, seconds) -> {
             for (int k = 0; k < 6; k++) {
                 double wave = StrictMath.sin(1.5 * seconds + 0.6 * k);

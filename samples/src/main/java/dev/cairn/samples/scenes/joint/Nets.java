@@ -96,7 +96,9 @@ public final class Nets {
                                     top + 1 + k,
                                     0.1));
         }
-        scene.view(new SceneView(0, top + 2, 2 * span + 3, 0, top - 0.5, 0));
+        scene.view(
+                new SceneView(
+                        0.35 * span, top + 0.3 * span, 1.05 * span + 2, 0, top - 0.06 * span, 0));
         Gaps.watchPoints(scene);
     }
 
