@@ -2,6 +2,7 @@ package dev.cairn.samples;
 
 import dev.cairn.samples.accuracy.AccuracyCommand;
 import dev.cairn.samples.decompose.DecomposeCommand;
+import dev.cairn.samples.film.GalleryCommand;
 import dev.cairn.samples.fuzz.FuzzCommand;
 import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenefile.SceneFile;

@@ -195,7 +195,7 @@ public final class SceneRun {
      *
      * @return a new world; close it
      */
-    PhysicsWorld world() {
+    public PhysicsWorld world() {
         return PhysicsWorld.builder()
                 .gravity(0, -SampleScene.GRAVITY, 0)
                 .workers(workers)

@@ -1,9 +1,13 @@
-package dev.cairn.samples;
+package dev.cairn.samples.film;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.render.app.Offscreen;
-import dev.cairn.samples.film.Film;
+import dev.cairn.samples.SampleScene;
+import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneOptions;
+import dev.cairn.samples.SceneRegistry;
+import dev.cairn.samples.SceneRun;
 
 import java.io.IOException;
 import java.io.PrintStream;
@@ -22,6 +26,10 @@ public final class GalleryCommand {
     /** The largest file, bytes. */
     public static final long MOST_BYTES = 300_000;
 
+    private static final String USAGE =
+            "samples gallery [FOLDER] makes the animations of docs/gallery.md";
+    private static final int DONE = 0;
+    private static final int MISUSED = 2;
     private static final int WIDTH = 320;
     private static final int HEIGHT = 180;
     private static final int TICKS_PER_FRAME = 5;
@@ -81,15 +89,25 @@ public final class GalleryCommand {
      * @param err standard error
      * @return the exit code
      */
-    static int run(String[] arguments, PrintStream out, PrintStream err) {
-        if (arguments.length > 1 || (arguments.length == 1 && arguments[0].startsWith("-"))) {
-            err.println("samples gallery [FOLDER]: makes the animations of docs/gallery.md");
-            return Main.MISUSED;
+    public static int run(String[] arguments, PrintStream out, PrintStream err) {
+        if (arguments.length > 0 && arguments[0].equals("--help")) {
+            out.println(USAGE);
+            return DONE;
+        }
+        for (String word : arguments) {
+            if (word.startsWith("-")) {
+                err.println("Unknown option: '%s'; %s".formatted(word, USAGE));
+                return MISUSED;
+            }
+        }
+        if (arguments.length > 1) {
+            err.println("gallery: one folder, not %d; %s".formatted(arguments.length, USAGE));
+            return MISUSED;
         }
         String missing = Offscreen.unavailableReason();
         if (missing != null) {
             err.println("gallery: " + missing);
-            return Main.MISUSED;
+            return MISUSED;
         }
         Path folder = arguments.length == 1 ? Path.of(arguments[0]) : FOLDER;
         long sum = 0;
@@ -108,7 +126,7 @@ public final class GalleryCommand {
                     unwritable);
         }
         out.printf("%d animations, %d kB, in %s%n", TAKES.size(), sum / 1000, folder);
-        return Main.DONE;
+        return DONE;
     }
 
     /**

@@ -1,4 +1,4 @@
-package dev.cairn.samples;
+package dev.cairn.samples.film;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
