@@ -200,7 +200,6 @@ final class SimulationPanel {
     private void window(Ui ui) {
         sandbox.fullscreen(ui.checkbox("full screen (F11)", sandbox.isFullscreen()));
         sandbox.vsync(ui.checkbox("wait for the screen", sandbox.isVsync()));
-        effects(ui);
         ui.columns(4);
         for (int i = 0; i < SCALES.length; i++) {
             boolean chosen = SCALES[i] == sandbox.panelScale();
@@ -208,6 +207,7 @@ final class SimulationPanel {
                 sandbox.panelScale(SCALES[i]);
             }
         }
+        effects(ui);
     }
 
     private void effects(Ui ui) {
