@@ -207,6 +207,7 @@ final class SimulationPanel {
                 sandbox.panelScale(SCALES[i]);
             }
         }
+        ui.columns(1);
         effects(ui);
     }
 
