@@ -136,13 +136,93 @@ record Alignment(int head, int before, int after, int tail, int[] resized, List<
         return head + tail;
     }
 
-    /** What it takes in memory, bytes. */
-    long byteCount() {
-        long numbers = resized.length;
+    /** Columns of the same rows have the same lengths mostly: those that differ are there once. */
+    void write(StateOutput out) {
+        out.writeShort(head);
+        out.writeShort(before);
+        out.writeShort(after);
+        out.writeShort(tail);
+        out.writeShort(moves.size());
         for (RowMoves one : moves) {
-            numbers += one.steps().length + 4L;
+            out.writeShort(one.steps().length);
+            for (int rows : one.steps()) {
+                out.writeShort(rows);
+            }
         }
-        return 4 * numbers;
+        int count = resized.length / NUMBERS;
+        int[] number = new int[count];
+        int[] firsts = new int[count];
+        int different = 0;
+        for (int i = 0; i < count; i++) {
+            int n = 0;
+            while (n < different && !isLike(firsts[n], i)) {
+                n++;
+            }
+            firsts[n] = n == different ? i : firsts[n];
+            different += n == different ? 1 : 0;
+            number[i] = n;
+        }
+        out.writeShort(different);
+        for (int n = 0; n < different; n++) {
+            int r = NUMBERS * firsts[n];
+            int longer = resized[r + 2] - resized[r + 1];
+            out.writeShort(resized[r + 1]);
+            out.writeShort(longer << 1 ^ longer >> 31);
+            out.writeShort(resized[r + 3] + 1);
+        }
+        out.writeShort(count);
+        for (int i = 0; i < count; i++) {
+            out.writeShort(resized[NUMBERS * i] - (i == 0 ? 0 : resized[NUMBERS * (i - 1)]));
+            out.writeShort(number[i]);
+        }
+    }
+
+    private boolean isLike(int i, int k) {
+        return Arrays.equals(
+                resized,
+                NUMBERS * i + 1,
+                NUMBERS * i + NUMBERS,
+                resized,
+                NUMBERS * k + 1,
+                NUMBERS * k + NUMBERS);
+    }
+
+    /** What {@link #write} wrote; of numbers that make no sense nothing else is so. */
+    static Alignment read(StateInput in) {
+        int head = in.readShort();
+        int before = in.readShort();
+        int after = in.readShort();
+        int tail = in.readShort();
+        int moved = in.need(1, in.readShort());
+        List<RowMoves> moves = new ArrayList<>(moved);
+        for (int i = 0; i < moved; i++) {
+            int[] steps = new int[in.need(1, in.readShort())];
+            for (int k = 0; k < steps.length; k++) {
+                steps[k] = in.readShort();
+            }
+            moves.add(new RowMoves(steps));
+        }
+        int different = in.need(3, in.readShort());
+        int[] lengths = new int[3 * different];
+        for (int n = 0; n < lengths.length; n += 3) {
+            lengths[n] = in.readShort();
+            int longer = in.readShort();
+            lengths[n + 1] = lengths[n] + (longer >>> 1 ^ -(longer & 1));
+            lengths[n + 2] = in.readShort() - 1;
+        }
+        int[] resized = new int[NUMBERS * in.need(2, in.readShort())];
+        int last = 0;
+        for (int r = 0; r < resized.length; r += NUMBERS) {
+            last += in.readShort();
+            resized[r] = last;
+            int n = in.readShort();
+            if (n < 0 || n >= different) {
+                throw new StateException(
+                        "the delta is damaged: lengths " + n + " are asked for, of " + different);
+            }
+            System.arraycopy(lengths, 3 * n, resized, r + 1, 3);
+        }
+        return new Alignment(head, before, after, tail, resized, moves);
     }
 
     /** The moves of an entry of {@link #resized}, by its place there; null for none. */

@@ -5,23 +5,23 @@ import org.jspecify.annotations.Nullable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.util.ArrayList;
-import java.util.List;
 
 /**
  * The bytes of a delta, in a {@link Frame}:
  *
  * <pre>
  *   forms      of both states: entries, bytes of numbers, references
- *   alignment  head, entries of one state only, tail; how many lie differently: which, lengths,
- *              moves; how many moves of rows: these
+ *   alignment  head, entries of one state only, tail; moves of rows; lengths that differ, each
+ *              once; how many entries lie differently: which, and the number of their lengths
  *   parts      of each state: entries of its own: kinds, names, counts, references, words
  *   references how many; of each: place, number of the object before and after
- *   words      both sums, how many bytes, these
+ *   words      both sums, bytes of heads, how many these are packed, these, how many others, these
  * </pre>
+ *
+ * Numbers are short ones, see {@link StateOutput#writeShort}; places are told by their steps.
  */
 final class DeltaBytes {
-    private static final Frame FRAME = new Frame("CAIRNDL2", "delta");
+    private static final Frame FRAME = new Frame("CAIRNDL3", "delta");
 
     /** Zeros that a delta may add without a byte for them, and those for each byte of it. */
     private static final long FREE_GROWTH = 64L << 20;
@@ -37,30 +37,22 @@ final class DeltaBytes {
     static void contents(StateDelta d, StateOutput out) {
         form(d.before, out);
         form(d.after, out);
-        out.writeInt(d.alignment.head());
-        out.writeInt(d.alignment.before());
-        out.writeInt(d.alignment.after());
-        out.writeInt(d.alignment.tail());
-        out.writeInts(d.alignment.resized());
-        out.writeInt(d.alignment.moves().size());
-        for (RowMoves moves : d.alignment.moves()) {
-            out.writeInts(moves.steps());
-        }
+        d.alignment().write(out);
         part(d.onlyBefore, out);
         part(d.onlyAfter, out);
-        out.writeInt(d.references.count);
+        out.writeShort(d.references.count);
         for (int i = 0; i < d.references.count; i++) {
-            out.writeInt(d.references.places[i]);
-            out.writeObject(d.references.before[i]);
-            out.writeObject(d.references.after[i]);
+            out.writeShort(d.references.places[i] - (i == 0 ? 0 : d.references.places[i - 1]));
+            out.writeObjectShort(d.references.before[i]);
+            out.writeObjectShort(d.references.after[i]);
         }
         words(d.words, out);
     }
 
     private static void form(StateDelta.Form form, StateOutput out) {
-        out.writeInt(form.entries());
-        out.writeInt(form.size());
-        out.writeInt(form.objects());
+        out.writeShort(form.entries());
+        out.writeShort(form.size());
+        out.writeShort(form.objects());
     }
 
     private static void part(@Nullable PackedEntries part, StateOutput out) {
@@ -82,8 +74,11 @@ final class DeltaBytes {
     private static void words(DeltaWords words, StateOutput out) {
         out.writeLong(words.sumBefore);
         out.writeLong(words.sumAfter);
-        out.writeInt(words.size);
-        out.writeBytes(words.bytes, words.size);
+        out.writeShort(words.headLength);
+        out.writeShort(words.heads.length);
+        out.writeBytes(words.heads, words.heads.length);
+        out.writeShort(words.bytes.length);
+        out.writeBytes(words.bytes, words.bytes.length);
     }
 
     static StateDelta read(InputStream from, StateCodecs codecs) throws IOException {
@@ -96,24 +91,24 @@ final class DeltaBytes {
         Alignment alignment = alignment(in, before, after);
         PackedEntries onlyBefore = part(in, alignment.before());
         PackedEntries onlyAfter = part(in, alignment.after());
-        DeltaReferences references = new DeltaReferences();
-        references.count = in.need(12, in.readInt());
+        StateDelta.References references = new StateDelta.References();
+        references.count = in.need(3, in.readShort());
         references.resize(references.count);
         for (int i = 0; i < references.count; i++) {
-            references.places[i] = in.readInt();
-            references.before[i] = in.readNullable(Object.class);
-            references.after[i] = in.readNullable(Object.class);
+            references.places[i] = in.readShort() + (i == 0 ? 0 : references.places[i - 1]);
+            references.before[i] = in.readShortObject();
+            references.after[i] = in.readShortObject();
         }
         DeltaWords words = words(in);
         long growth =
                 Math.abs((long) after.size() - before.size())
                         + 8 * Math.abs((long) after.objects() - before.objects());
-        if (growth > FREE_GROWTH + GROWTH * words.size + bytes(onlyBefore) + bytes(onlyAfter)) {
+        if (growth > FREE_GROWTH + GROWTH * words.size() + bytes(onlyBefore) + bytes(onlyAfter)) {
             throw new StateException(
                     "the delta is damaged: it changes the state's size by "
                             + growth
                             + " bytes with "
-                            + words.size
+                            + words.size()
                             + " bytes of words");
         }
         return new StateDelta(
@@ -123,7 +118,10 @@ final class DeltaBytes {
     private static DeltaWords words(StateInput in) {
         long sumBefore = in.readLong();
         long sumAfter = in.readLong();
-        return new DeltaWords(in.readBytes(in.readInt()), sumBefore, sumAfter);
+        int headLength = in.readShort();
+        byte[] heads = in.readBytes(in.readShort());
+        byte[] bytes = in.readBytes(in.readShort());
+        return new DeltaWords(heads, headLength, bytes, sumBefore, sumAfter);
     }
 
     private static long bytes(@Nullable PackedEntries part) {
@@ -131,19 +129,12 @@ final class DeltaBytes {
     }
 
     private static StateDelta.Form form(StateInput in) {
-        return new StateDelta.Form(in.readInt(), in.readInt(), in.readInt());
+        return new StateDelta.Form(in.readShort(), in.readShort(), in.readShort());
     }
 
     private static Alignment alignment(
             StateInput in, StateDelta.Form before, StateDelta.Form after) {
-        Alignment read =
-                new Alignment(
-                        in.readInt(),
-                        in.readInt(),
-                        in.readInt(),
-                        in.readInt(),
-                        in.readInts(),
-                        moves(in));
+        Alignment read = Alignment.read(in);
         long common = (long) read.head() + read.tail();
         boolean fits =
                 read.head() >= 0
@@ -152,6 +143,9 @@ final class DeltaBytes {
                         && read.tail() >= 0
                         && common + read.before() == before.entries()
                         && common + read.after() == after.entries();
+        for (RowMoves moves : read.moves()) {
+            fits &= !isBelow(moves);
+        }
         int[] resized = read.resized();
         fits &= resized.length % Alignment.NUMBERS == 0;
         int last = -1;
@@ -159,7 +153,7 @@ final class DeltaBytes {
             fits = resized[r] > last && resized[r] < common;
             fits &= resized[r + 1] >= 0 && resized[r + 2] >= 0;
             last = resized[r];
-            fits &= resized[r + 3] < read.moves().size();
+            fits &= resized[r + 3] >= -1 && resized[r + 3] < read.moves().size();
             RowMoves moved = fits ? read.movesAt(r) : null;
             if (moved != null) {
                 int width = Alignment.width(moved, resized[r + 1], resized[r + 2]);
@@ -176,21 +170,12 @@ final class DeltaBytes {
         return read;
     }
 
-    private static List<RowMoves> moves(StateInput in) {
-        int count = in.need(4, in.readInt());
-        List<RowMoves> all = new ArrayList<>(count);
-        for (int i = 0; i < count; i++) {
-            RowMoves moves = new RowMoves(in.readInts());
-            boolean fits = moves.steps().length % 3 == 0;
-            for (int rows : moves.steps()) {
-                fits &= rows >= 0;
-            }
-            if (!fits) {
-                throw new StateException("the delta is damaged: rows move by numbers below 0");
-            }
-            all.add(moves);
+    private static boolean isBelow(RowMoves moves) {
+        boolean isBelow = moves.steps().length % 3 != 0;
+        for (int rows : moves.steps()) {
+            isBelow |= rows < 0;
         }
-        return all;
+        return isBelow;
     }
 
     private static @Nullable PackedEntries part(StateInput in, int entries) {
@@ -221,7 +206,7 @@ final class DeltaBytes {
         PackedEntries part = new PackedEntries(names, kinds, counts, words, objects);
         if (!fits
                 || references != objects.length
-                || part.size() > FREE_GROWTH + GROWTH * words.size) {
+                || part.size() > FREE_GROWTH + GROWTH * words.size()) {
             throw new StateException(
                     "the delta is damaged: entries of one state only are no entries");
         }

@@ -4,22 +4,25 @@ import java.util.Arrays;
 
 /**
  * The exclusive or of the numbers of two states in the wide layout (see {@link Alignment}), by
- * words of eight bytes; of those that differ, one after the other:
+ * words of eight bytes. Of those that differ, one after the other, a head:
  *
  * <pre>
- *   head   lower half: kind; upper half: how many words are skipped before it, up to 13,
- *          14 as in the {@link Skips pattern} before, 15 as a varint that follows
- *   kind   0 a byte that tells which of the word's bytes are not 0, and these
- *          1 to 8 so many lower bytes; those above are 0
+ *   upper  how many words are skipped before it, up to 13, 14 as in the {@link Skips pattern}
+ *          before, 15 as a varint
+ *   lower  kind:
+ *          0 and a byte: which of the word's bytes are not 0; these
+ *          1 to 8 and a byte: so many lower bytes, the highest one here; those above are 0
  *          9 the word that followed the word before when that was seen last
- *          10 words by even steps: how many, as a varint, and the first two with heads of their own
+ *          10 words by even steps: how many, as a varint, and the first two with kinds of their own
  *          11 only byte 4
  *          12 to 15 and a byte: its place among those that were seen
  * </pre>
  *
- * Numbers that change little have equal signs, exponents and first digits. What a body and its
- * entity both hold changes alike: such a word is told by where it was seen. Lists of slots that
- * come or go as a whole are equal numbers, or grow by the same step.
+ * The other bytes and varints lie behind each other in an array of their own: they are as good as
+ * random. Heads and the bytes with them are not, see {@link PackedHeads}. Numbers that change
+ * little have equal signs, exponents and first digits. What a body and its entity both hold changes
+ * alike: such a word is told by where it was seen. Lists of slots that come or go as a whole are
+ * equal numbers, or grow by the same step.
  */
 final class DeltaWords {
     static final long ODD = 0x9E37_79B9_7F4A_7C15L;
@@ -44,8 +47,16 @@ final class DeltaWords {
     /** Words by even steps that are worth being told so. */
     private static final int LEAST_EVEN = 6;
 
+    /** Bytes and varints. */
     byte[] bytes = NONE;
-    int size;
+
+    private int length;
+
+    /** Heads, each with what is foreseen of its word; packed in a delta that is complete. */
+    byte[] heads = NONE;
+
+    /** How many bytes these are when they are not packed. */
+    int headLength;
 
     /** Sums of the words that differ, of both states. */
     long sumBefore;
@@ -56,6 +67,7 @@ final class DeltaWords {
     private int last;
 
     private int at;
+    private int headAt;
     private final long[] seen;
     private final Skips skips;
 
@@ -71,21 +83,29 @@ final class DeltaWords {
 
     /** Empty, to be added to. */
     DeltaWords() {
-        this(NONE, 0, 0, new long[SEEN]);
+        this(NONE, 0, NONE, 0, 0, true);
     }
 
-    DeltaWords(byte[] bytes, long sumBefore, long sumAfter) {
-        this(bytes, sumBefore, sumAfter, NOT_USED);
+    DeltaWords(byte[] heads, int headLength, byte[] bytes, long sumBefore, long sumAfter) {
+        this(heads, headLength, bytes, sumBefore, sumAfter, false);
     }
 
-    private DeltaWords(byte[] bytes, long sumBefore, long sumAfter, long[] seen) {
-        this.seen = seen;
-        skips = new Skips(seen.length > 0);
+    private DeltaWords(
+            byte[] heads, int headLength, byte[] bytes, long before, long after, boolean works) {
+        seen = works ? new long[SEEN] : NOT_USED;
+        skips = new Skips(works);
         follower = new int[seen.length];
+        this.heads = heads;
+        this.headLength = headLength;
         this.bytes = bytes;
-        size = bytes.length;
-        this.sumBefore = sumBefore;
-        this.sumAfter = sumAfter;
+        length = bytes.length;
+        sumBefore = before;
+        sumAfter = after;
+    }
+
+    /** Bytes in all. */
+    int size() {
+        return heads.length + bytes.length;
     }
 
     /**
@@ -190,11 +210,17 @@ final class DeltaWords {
         boolean isSeen = skip > 0 && skips.next(skip);
         int code = isSeen ? PATTERN : Math.min(skip, FAR);
         code = !isSeen && skip == PATTERN ? FAR : code;
-        room(6);
-        bytes[size++] = (byte) ((code << 4) | kind);
         if (code == FAR) {
             varint(skip);
         }
+        foreseen((code << 4) | kind);
+    }
+
+    private void foreseen(int octet) {
+        if (headLength == heads.length) {
+            heads = Arrays.copyOf(heads, Math.max(64, 2 * headLength));
+        }
+        heads[headLength++] = (byte) octet;
     }
 
     private void word(int skip, long x) {
@@ -205,7 +231,7 @@ final class DeltaWords {
             head(skip, guess == slot ? FOLLOWS : PLACE + (slot >> 8));
             if (guess != slot) {
                 room(1);
-                bytes[size++] = (byte) slot;
+                bytes[length++] = (byte) slot;
             }
             return;
         }
@@ -217,12 +243,16 @@ final class DeltaWords {
         int kind = kind(mask);
         head(skip, kind);
         room(9);
+        int there = bytesOf(kind, mask);
         if (kind == MASK) {
-            bytes[size++] = (byte) mask;
+            foreseen(mask);
+        } else if (kind <= Long.BYTES) {
+            foreseen((int) (x >>> (8 * kind - 8)));
+            there >>= 1;
         }
         for (int k = 0; k < 8; k++) {
-            if (((bytesOf(kind, mask) >> k) & 1) != 0) {
-                bytes[size++] = (byte) (x >>> (8 * k));
+            if ((there >> k & 1) != 0) {
+                bytes[length++] = (byte) (x >>> (8 * k));
             }
         }
     }
@@ -235,20 +265,13 @@ final class DeltaWords {
 
     /** By which of its bytes are not 0. */
     private static int kind(int mask) {
-        int length = 32 - Integer.numberOfLeadingZeros(mask);
-        return switch (mask) {
-            case 1 << 4 -> UPPER_BYTE;
-            default -> Integer.bitCount(mask) < length - 1 ? MASK : length;
-        };
+        int upTo = 32 - Integer.numberOfLeadingZeros(mask);
+        return mask == 1 << 4 ? UPPER_BYTE : Integer.bitCount(mask) < upTo - 1 ? MASK : upTo;
     }
 
     /** Which bytes of a word are there. */
     private static int bytesOf(int kind, int mask) {
-        return switch (kind) {
-            case MASK -> mask;
-            case UPPER_BYTE -> 1 << 4;
-            default -> (1 << kind) - 1;
-        };
+        return kind == MASK ? mask : kind == UPPER_BYTE ? 1 << 4 : (1 << kind) - 1;
     }
 
     private static long mix(long sum, long word) {
@@ -263,15 +286,15 @@ final class DeltaWords {
         room(5);
         long left = value;
         while (left >>> 7 != 0) {
-            bytes[size++] = (byte) (left | 128);
+            bytes[length++] = (byte) (left | 128);
             left >>>= 7;
         }
-        bytes[size++] = (byte) left;
+        bytes[length++] = (byte) left;
     }
 
     private void room(int more) {
-        if (bytes.length - size < more) {
-            if (size > Integer.MAX_VALUE / 2) {
+        if (bytes.length - length < more) {
+            if (length > Integer.MAX_VALUE / 2) {
                 throw new StateException(
                         "the difference of the states takes more than 1073741823 bytes; save them"
                                 + " instead");
@@ -282,7 +305,12 @@ final class DeltaWords {
 
     /** No more than it takes; nothing can be added any more. */
     DeltaWords trimmed() {
-        return new DeltaWords(Arrays.copyOf(bytes, size), sumBefore, sumAfter);
+        return new DeltaWords(
+                PackedHeads.pack(heads, headLength),
+                headLength,
+                Arrays.copyOf(bytes, length),
+                sumBefore,
+                sumAfter);
     }
 
     /**
@@ -291,28 +319,29 @@ final class DeltaWords {
      * @param sum of the words that are to be changed, or the state is none of the two
      */
     void apply(WorldState wide, long sum) {
-        long found = walk(wide, false);
+        byte[] plain = PackedHeads.unpack(heads, headLength);
+        long found = walk(plain, wide, false);
         if (found != sum) {
             throw new StateException(
                     "the state is not the one that the delta starts from: the numbers that it"
                             + " changes are others; apply deltas in the order of their ticks, and"
                             + " revert them in the opposite order");
         }
-        walk(wide, true);
+        walk(plain, wide, true);
     }
 
     /** Goes over all words that differ; the sum of what they were. */
-    private long walk(WorldState wide, boolean writes) {
+    private long walk(byte[] plain, WorldState wide, boolean writes) {
         // what threads share stays
-        DeltaWords reader = new DeltaWords(bytes, 0, 0, new long[SEEN]);
+        DeltaWords reader = new DeltaWords(plain, headLength, bytes, 0, 0, true);
         long sum = 0;
         long w = 0;
-        while (reader.at < size) {
-            int head = reader.readByte();
+        while (reader.headAt < headLength) {
+            int head = reader.readHead();
             w += reader.readSkip(head >> 4);
             int kind = head & 15;
             long run = kind == EVEN ? reader.readVarint() : 1;
-            if (run > (wide.size >> 3) - w) {
+            if (run == 0 || run > (wide.size >> 3) - w) {
                 throw damaged(
                         "words up to " + (w + run) + " are to be changed, of " + (wide.size >> 3));
             }
@@ -324,7 +353,7 @@ final class DeltaWords {
                 sum = mix(sum, now);
                 long next = x + step;
                 if (kind != EVEN || i < 2) {
-                    next = reader.readWord(kind == EVEN ? reader.readByte() & 15 : kind);
+                    next = reader.readWord(kind == EVEN ? reader.readHead() & 15 : kind);
                 }
                 step = next - x;
                 x = next;
@@ -334,6 +363,13 @@ final class DeltaWords {
             }
         }
         return sum;
+    }
+
+    private int readHead() {
+        if (headAt >= headLength) {
+            throw damaged("the heads end too early");
+        }
+        return heads[headAt++] & 255;
     }
 
     private long readSkip(int code) {
@@ -360,8 +396,12 @@ final class DeltaWords {
         if (kind == EVEN) {
             throw damaged("a word of even steps has steps");
         }
-        int mask = bytesOf(kind, kind == MASK ? readByte() : 0);
+        int mask = bytesOf(kind, kind == MASK ? readHead() : 0);
         long x = 0;
+        if (kind != MASK && kind <= Long.BYTES) {
+            x = (long) readHead() << (8 * kind - 8);
+            mask >>= 1;
+        }
         for (int k = 0; k < 8; k++) {
             if ((mask >> k & 1) != 0) {
                 x |= (long) readByte() << (8 * k);

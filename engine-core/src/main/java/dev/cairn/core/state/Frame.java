@@ -18,7 +18,7 @@ import java.util.zip.CRC32C;
  * <pre>
  *   8  magic: seven letters and the version
  *   8  length of what follows, without the sums
- *   n  objects    how many; of each: how many bytes, name of its codec, what it wrote
+ *   n  objects    a pool; of each: name of its codec, what it wrote
  *      rest       what the kind asks for, and numbers of objects
  *   8  CRC-32C and CRC-32 of these n bytes
  * </pre>
@@ -59,12 +59,7 @@ public record Frame(String magic, String what) {
         content.accept(out);
         byte[] rest = out.toBytes();
         StateOutput whole = new StateOutput(codecs);
-        List<byte[]> pool = out.pool();
-        whole.writeInt(pool.size());
-        for (byte[] object : pool) {
-            whole.writeInt(object.length);
-            whole.writeBytes(object, object.length);
-        }
+        Pool.write(out.pool(), whole);
         whole.writeBytes(rest, rest.length);
         byte[] all = whole.toBytes();
         StateOutput frame = new StateOutput(codecs);
@@ -138,7 +133,7 @@ public record Frame(String magic, String what) {
                             + " is not the one that was written with them: they are damaged");
         }
         StateInput in = new StateInput(all, 0, all.length);
-        in.readPool(codecs);
+        Pool.read(in, codecs);
         T result = content.apply(in);
         in.requireEnd();
         return result;
@@ -154,5 +149,107 @@ public record Frame(String magic, String what) {
         CRC32 other = new CRC32();
         other.update(bytes);
         return castagnoli.getValue() << 32 | other.getValue();
+    }
+
+    /**
+     * The objects of a frame, as many small ones that are alike: each as the bytes in which it
+     * differs from the one before it that is as long.
+     *
+     * <pre>
+     *   how many; of each: how many bytes; until these are complete: how many are as in the one before,
+     *   how many follow that are not, these
+     * </pre>
+     *
+     * All numbers are short ones, see {@link StateOutput#writeShort}.
+     */
+    private static final class Pool {
+        /** Longer objects are there as they are: few bytes never stand for many. */
+        private static final int LONGEST = 256;
+
+        /** Equal bytes that are worth an interruption. */
+        private static final int GAP = 3;
+
+        private Pool() {}
+
+        static void write(List<byte[]> objects, StateOutput out) {
+            out.writeShort(objects.size());
+            byte[] last = {};
+            for (byte[] object : objects) {
+                out.writeShort(object.length);
+                if (object.length > LONGEST) {
+                    out.writeBytes(object, object.length);
+                } else {
+                    write(
+                            last.length == object.length ? last : new byte[object.length],
+                            object,
+                            out);
+                    last = object;
+                }
+            }
+        }
+
+        private static void write(byte[] last, byte[] object, StateOutput out) {
+            int at = 0;
+            while (at < object.length) {
+                int same = Arrays.mismatch(last, at, last.length, object, at, object.length);
+                same = same < 0 ? object.length - at : same;
+                int from = at + same;
+                at = end(last, object, from);
+                out.writeShort(same);
+                out.writeShort(at - from);
+                out.writeBytes(Arrays.copyOfRange(object, from, at), at - from);
+            }
+        }
+
+        /** Behind bytes that differ, with few equal ones among them. */
+        private static int end(byte[] last, byte[] object, int from) {
+            int to = from;
+            for (int i = from; i < object.length && i - to < GAP; i++) {
+                to = last[i] == object[i] ? to : i + 1;
+            }
+            return to;
+        }
+
+        static void read(StateInput in, StateCodecs codecs) {
+            int count = in.need(1, in.readShort());
+            byte[] last = {};
+            for (int i = 0; i < count; i++) {
+                int length = in.readShort();
+                if (length < 0 || length > LONGEST) { // below 0 is refused
+                    in.add(in.readBytes(length), i, codecs);
+                } else {
+                    last =
+                            read(
+                                    Arrays.copyOf(
+                                            last.length == length ? last : new byte[0], length),
+                                    in);
+                    in.add(last, i, codecs);
+                }
+            }
+        }
+
+        private static byte[] read(byte[] object, StateInput in) {
+            int at = 0;
+            while (at < object.length) {
+                int same = in.readShort();
+                int other = in.need(1, in.readShort());
+                int left = object.length - at;
+                if (same < 0 || same > left || other > left - same || same + other == 0) {
+                    throw new StateException(
+                            "an object of "
+                                    + object.length
+                                    + " bytes goes on with "
+                                    + same
+                                    + " and "
+                                    + other
+                                    + " at "
+                                    + at
+                                    + "; the bytes are damaged");
+                }
+                System.arraycopy(in.readBytes(other), 0, object, at + same, other);
+                at += same + other;
+            }
+            return object;
+        }
     }
 }

@@ -55,7 +55,7 @@ record PackedEntries(
 
     /** What it takes in memory, bytes. */
     long byteCount() {
-        return (long) ENTRY_BYTES * kinds.length + words.size + 8L * objects.length;
+        return (long) ENTRY_BYTES * kinds.length + words.size() + 8L * objects.length;
     }
 
     /** The entries, as they were. */

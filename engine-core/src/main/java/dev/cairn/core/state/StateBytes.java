@@ -17,7 +17,7 @@ import java.lang.foreign.MemorySegment;
  * </pre>
  */
 final class StateBytes {
-    private static final Frame FRAME = new Frame("CAIRNST2", "state");
+    private static final Frame FRAME = new Frame("CAIRNST3", "state");
 
     private StateBytes() {}
 

@@ -5,6 +5,7 @@ import org.jspecify.annotations.Nullable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.util.Arrays;
 import java.util.Objects;
 
 /**
@@ -36,7 +37,9 @@ public final class StateDelta {
 
     final Form before;
     final Form after;
-    final Alignment alignment;
+
+    /** The alignment, packed. */
+    private final byte[] layout;
 
     /** What only one of the states has. */
     final @Nullable PackedEntries onlyBefore;
@@ -44,7 +47,7 @@ public final class StateDelta {
     final @Nullable PackedEntries onlyAfter;
 
     final DeltaWords words;
-    final DeltaReferences references;
+    final References references;
     final boolean isRead;
 
     StateDelta(
@@ -54,11 +57,13 @@ public final class StateDelta {
             @Nullable PackedEntries onlyBefore,
             @Nullable PackedEntries onlyAfter,
             DeltaWords words,
-            DeltaReferences references,
+            References references,
             boolean isRead) {
         this.before = before;
         this.after = after;
-        this.alignment = alignment;
+        StateOutput packed = new StateOutput(StateCodecs.STANDARD);
+        alignment.write(packed);
+        layout = packed.toBytes();
         this.onlyBefore = onlyBefore;
         this.onlyAfter = onlyAfter;
         this.words = words;
@@ -78,7 +83,7 @@ public final class StateDelta {
         Objects.requireNonNull(after, "after must not be null");
         Alignment alignment = Alignment.of(before, after);
         DeltaWords words = new DeltaWords();
-        DeltaReferences references = new DeltaReferences();
+        References references = new References();
         WorldState wideBefore = new WorldState();
         WorldState wideAfter = new WorldState();
         int word = 0;
@@ -154,18 +159,19 @@ public final class StateDelta {
                             + "; apply deltas in the order of their ticks, and revert them in the"
                             + " opposite order");
         }
+        Alignment alignment = alignment();
         if (alignment.isInPlace()) {
             words.apply(state, sum);
             references.apply(state, forward);
         } else {
-            laidOut(state, forward, sum);
+            laidOut(state, alignment, forward, sum);
         }
         state.isRead |= isRead;
     }
 
     /** By way of the wide layout, in a second buffer: if it is refused, the first one is there. */
-    private void laidOut(WorldState state, boolean forward, long sum) {
-        requireFit(state, forward);
+    private void laidOut(WorldState state, Alignment alignment, boolean forward, long sum) {
+        requireFit(state, alignment, forward);
         WorldState wide = state.spare();
         alignment.widen(state, forward, wide);
         words.apply(wide, sum);
@@ -177,7 +183,7 @@ public final class StateDelta {
         wide.clear();
     }
 
-    private void requireFit(WorldState state, boolean forward) {
+    private void requireFit(WorldState state, Alignment alignment, boolean forward) {
         int[] resized = alignment.resized();
         long size = state.size;
         long objects = state.objectCount;
@@ -230,7 +236,7 @@ public final class StateDelta {
      * @return true if nothing changes
      */
     public boolean isEmpty() {
-        return words.size == 0 && references.count == 0 && alignment.isInPlace();
+        return words.headLength == 0 && references.count == 0 && alignment().isInPlace();
     }
 
     /**
@@ -240,11 +246,15 @@ public final class StateDelta {
      */
     public long byteCount() {
         return OWN_BYTES
-                + words.size
-                + alignment.byteCount()
+                + words.size()
+                + layout.length
                 + 20L * references.count
                 + bytesOf(onlyBefore)
                 + bytesOf(onlyAfter);
+    }
+
+    Alignment alignment() {
+        return Alignment.read(new StateInput(layout, 0, layout.length));
     }
 
     private static long bytesOf(@Nullable PackedEntries part) {
@@ -275,5 +285,64 @@ public final class StateDelta {
      */
     public static StateDelta read(InputStream in, StateCodecs codecs) throws IOException {
         return DeltaBytes.read(in, codecs);
+    }
+
+    /** The references that differ between two states, by their places in the wide layout. */
+    static final class References {
+        private static final int[] NOWHERE = {};
+        private static final @Nullable Object[] NOTHING = {};
+
+        int[] places = NOWHERE;
+        @Nullable Object[] before = NOTHING;
+        @Nullable Object[] after = NOTHING;
+        int count;
+
+        /**
+         * Adds what differs in an entry.
+         *
+         * @param base its first reference in the wide layout
+         * @return references that it takes there
+         */
+        @SuppressWarnings(
+                "ReferenceEquality") // what is kept by reference is the same only if it is it
+        int add(int base, WorldState a, int i, WorldState b, int k) {
+            int n = Math.max(a.counts[i], b.counts[k]);
+            for (int r = 0; r < n; r++) {
+                Object x = r < a.counts[i] ? a.objects[a.at[i] + r] : null;
+                Object y = r < b.counts[k] ? b.objects[b.at[k] + r] : null;
+                if (x != y) {
+                    if (count == places.length) {
+                        resize(2 * count + 4);
+                    }
+                    places[count] = base + r;
+                    before[count] = x;
+                    after[count++] = y;
+                }
+            }
+            return n;
+        }
+
+        void resize(int length) {
+            places = Arrays.copyOf(places, length);
+            before = Arrays.copyOf(before, length);
+            after = Arrays.copyOf(after, length);
+        }
+
+        /** Sets them in a state of the wide layout. */
+        void apply(WorldState wide, boolean forward) {
+            for (int i = 0; i < count; i++) {
+                if (places[i] < 0 || places[i] >= wide.objectCount) {
+                    throw new StateException(
+                            "the delta is damaged: reference "
+                                    + places[i]
+                                    + " is to be changed, of "
+                                    + wide.objectCount);
+                }
+            }
+            @Nullable Object[] values = forward ? after : before;
+            for (int i = 0; i < count; i++) {
+                wide.objects[places[i]] = values[i];
+            }
+        }
     }
 }

@@ -13,11 +13,16 @@ import java.util.List;
  */
 public final class StateInput {
     private final byte[] bytes;
-    private final List<Object> objects = new ArrayList<>();
+    private final List<Object> objects;
     private int at;
-    private int end;
+    private final int end;
 
     StateInput(byte[] bytes, int from, int to) {
+        this(bytes, from, to, new ArrayList<>());
+    }
+
+    private StateInput(byte[] bytes, int from, int to, List<Object> objects) {
+        this.objects = objects;
         this.bytes = bytes;
         at = from;
         end = to;
@@ -128,7 +133,15 @@ public final class StateInput {
      * @return what was written
      */
     public <T> @Nullable T readNullable(Class<T> type) {
-        int number = readInt();
+        return readNullable(type, readInt());
+    }
+
+    /** What {@link StateOutput#writeObjectShort} wrote. */
+    @Nullable Object readShortObject() {
+        return readNullable(Object.class, readShort() - 1);
+    }
+
+    private <T> @Nullable T readNullable(Class<T> type, int number) {
         if (number == -1) {
             return null;
         }
@@ -180,25 +193,38 @@ public final class StateInput {
         return need(width, count);
     }
 
-    /** The objects, each of those before. */
-    void readPool(StateCodecs codecs) {
-        int count = need(4, readInt());
-        for (int i = 0; i < count; i++) {
-            int length = need(1, readInt());
-            int outer = end;
-            end = at + length;
-            Object value = codecs.read(this);
-            if (at != end) {
-                throw new StateException(
-                        "object "
-                                + i
-                                + " has "
-                                + (end - at)
-                                + " bytes more than its codec reads; it is of another version");
-            }
-            end = outer;
-            objects.add(value);
+    /** An object of the pool, which may refer to those before. */
+    void add(byte[] object, int number, StateCodecs codecs) {
+        StateInput own = new StateInput(object, 0, object.length, objects);
+        Object value = codecs.read(own);
+        if (own.left() > 0) {
+            throw new StateException(
+                    "object "
+                            + number
+                            + " has "
+                            + own.left()
+                            + " bytes more than its codec reads; it is of another version");
         }
+        objects.add(value);
+    }
+
+    /** Bytes that are left. */
+    int left() {
+        return end - at;
+    }
+
+    /** What {@link StateOutput#writeShort} wrote. */
+    int readShort() {
+        int value = 0;
+        for (int shift = 0; shift < 35; shift += 7) {
+            need(1, 1);
+            int next = bytes[at++];
+            value |= (next & 127) << shift;
+            if (next >= 0) {
+                return value;
+            }
+        }
+        throw new StateException("a number takes more than five bytes; the bytes are damaged");
     }
 
     byte[] readBytes(int count) {

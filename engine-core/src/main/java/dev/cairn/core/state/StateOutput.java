@@ -150,6 +150,21 @@ public final class StateOutput {
         DeltaBytes.contents(delta, this);
     }
 
+    /** An object whose number is short. */
+    void writeObjectShort(@Nullable Object value) {
+        writeShort(value == null ? 0 : number(value) + 1);
+    }
+
+    /** A number that is small mostly: seven bits to a byte, the lowest ones first. */
+    void writeShort(int value) {
+        int left = value;
+        while (left >>> 7 != 0) {
+            room(1)[size++] = (byte) (left | 128);
+            left >>>= 7;
+        }
+        room(1)[size++] = (byte) left;
+    }
+
     void writeBytes(byte[] from, int count) {
         System.arraycopy(from, 0, room(count), size, count);
         size += count;

@@ -246,7 +246,7 @@ class StateDeltaRowsTest {
         WorldState moved = new WorldState();
         moved.set(empty);
         delta.revert(moved);
-        assertEquals(0, StateDelta.between(moved, full).words.size);
+        assertEquals(0, StateDelta.between(moved, full).words.headLength);
     }
 
     private static void lists(StateVisitor s, int[] up, int[] same, int count) {

@@ -179,11 +179,34 @@ public final class BoundsStage {
         }
     }
 
-    /** How far those reach that are not looked at in each tick; slots have room already. */
+    /**
+     * How far those reach that are not looked at in each tick; slots have room already. Of others
+     * there is nothing: the next tick finds it anew.
+     */
     public void state(StateVisitor s, int slots) {
         s.section("bounds", this);
-        ahead = s.array("ahead", ahead, 0, AHEAD * slots, ahead.length, false);
-        tight = s.array("tight", tight, 0, BOX * slots, tight.length, false);
+        gravityX = s.value("gravityX", gravityX);
+        gravityY = s.value("gravityY", gravityY);
+        gravityZ = s.value("gravityZ", gravityZ);
+        step = s.value("step", step);
+        ahead = lying(s, "ahead", ahead, AHEAD, slots);
+        tight = lying(s, "tight", tight, BOX, slots);
+    }
+
+    private double[] lying(StateVisitor s, String name, double[] column, int numbers, int slots) {
+        if (s.isRestoring()) {
+            return s.array(name, column, 0, numbers * slots, column.length, false);
+        }
+        for (int c = 0; c < slots; c++) {
+            int body = colliders.body[c];
+            if (body >= 0 && body < slots && bodies.kind[body] == BodyStore.DYNAMIC) {
+                Arrays.fill(box, numbers * c, numbers * c + numbers, 0);
+            } else {
+                System.arraycopy(column, numbers * c, box, numbers * c, numbers);
+            }
+        }
+        s.array(name, box, 0, numbers * slots, box.length, false);
+        return column;
     }
 
     /** Places a fixed body. */

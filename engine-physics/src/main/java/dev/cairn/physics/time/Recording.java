@@ -36,7 +36,7 @@ import java.util.Objects;
  * @param <I> what was done to the world
  */
 public final class Recording<I> {
-    private static final Frame FRAME = new Frame("CAIRNRC2", "recording");
+    private static final Frame FRAME = new Frame("CAIRNRC3", "recording");
 
     /** Least bytes of a tick. */
     private static final int TICK_BYTES = 21;

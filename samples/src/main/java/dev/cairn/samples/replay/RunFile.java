@@ -31,7 +31,7 @@ import java.util.List;
  * </pre>
  */
 public final class RunFile {
-    private static final Frame FRAME = new Frame("CAIRNRN3", "recorded run");
+    private static final Frame FRAME = new Frame("CAIRNRN4", "recorded run");
 
     private final Path file;
     private final List<String> arguments;
