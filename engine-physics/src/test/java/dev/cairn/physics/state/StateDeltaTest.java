@@ -18,6 +18,8 @@ import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.component.Force;
 import dev.cairn.physics.joint.Joint;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Sphere;
 
 import org.junit.jupiter.api.Tag;
@@ -136,6 +138,16 @@ class StateDeltaTest {
         SLIDING,
         /** Not as the others, so that columns come that were not there. */
         ROLLING,
+        TUMBLING,
+        /** Capsules that fall on each other. */
+        CAPSULES,
+        CYLINDERS,
+        /** Boxes that fall on each other, with dozens of points that are all new in each tick. */
+        HEAP,
+        /** Two stacks, of which the uppermost boxes are pushed so that all rock. */
+        STACKS,
+        /** They were not there, each with a shape of its own. */
+        COMING,
         LEAVING_THE_WORLD
     }
 
@@ -150,6 +162,17 @@ class StateDeltaTest {
                     case FLYING ->
                             body.at(2 * n, 100, 0).velocity(1, 9, 2).angularVelocity(1, 2, 3);
                     case ROLLING -> body.shape(Sphere.of(0.4)).at(32 + 2 * n, 20 + n, 0);
+                    case TUMBLING ->
+                            body.at(32 + 2 * (n % 5), 13 + 0.1 * n, 2 * (n / 5))
+                                    .velocity(1, 0, 0.5 * n)
+                                    .angularVelocity(1 + n, 2, 3 - n);
+                    case CAPSULES -> fall(body.shape(Capsule.of(0.3, 0.4)), n);
+                    case CYLINDERS -> fall(body.shape(Cylinder.of(0.4, 0.5)), n);
+                    case HEAP -> fall(body, n);
+                    case STACKS -> body.at(32 + 3 * (n / 5), 0.4 + 0.8 * (n % 5), 0);
+                    case COMING -> {
+                        continue;
+                    }
                     default -> {}
                 }
             }
@@ -159,6 +182,10 @@ class StateDeltaTest {
             }
         }
         return ten;
+    }
+
+    private static void fall(Body body, int n) {
+        body.at(34 + 0.3 * (n % 3), 17 + n, 0.2 * (n % 2)).angularVelocity(1 + n, 2, 3 - n);
     }
 
     /** Each tick of it, whatever happens there, is a few kilobytes. */
@@ -178,8 +205,16 @@ class StateDeltaTest {
                     default -> {}
                 }
             }
+            if (doing == Doing.STACKS) {
+                ten.get(4).applyImpulse(ten.get(4).mass(), 0, 0);
+                ten.get(9).applyImpulse(0, 0, ten.get(9).mass());
+            }
             WorldState before = world.save();
-            for (int t = 0; t < 150; t++) {
+            for (int t = 0; t < 200; t++) {
+                for (int n = 0; n < 10 && t == 5 && doing == Doing.COMING; n++) {
+                    Box own = Box.ofHalfExtents(0.3 + 0.01 * n, 0.4, 0.5);
+                    world.add(Body.dynamic().shape(own).at(32 + 2 * n, 0.7, 0));
+                }
                 world.step(STEP);
                 WorldState after = world.save();
                 StateDelta delta = StateDelta.between(before, after);
