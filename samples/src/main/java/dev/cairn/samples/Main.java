@@ -190,7 +190,9 @@ public final class Main {
     @Option(
             names = "--record",
             paramLabel = "FILE.cairn",
-            description = "Write down the only scene of the run, tick by tick.")
+            description =
+                    "Write down the only scene of the run, tick by tick; with --window the one that"
+                            + " is shown when it is closed, from its last beginning on.")
     @Nullable String record;
 
     @Option(
@@ -292,11 +294,13 @@ public final class Main {
             if (typed.replay != null && typed.from == null) {
                 return new RunCommand(out, err).replay(typed);
             }
-            if (typed.record != null && typed.from == null) {
+            RunCommand.requireRecordable(typed);
+            if (typed.record != null && typed.from == null && !typed.window) {
                 return new RunCommand(out, err).record(typed);
             }
             RunFile begun = typed.from == null ? null : RunCommand.begin(typed, typed.from);
-            return new Runner(Request.of(typed), begun, out, err, display).run();
+            Runner runner = new Runner(Request.of(typed), begun, out, err, display);
+            return typed.record == null ? runner.run() : runner.record(Path.of(typed.record)).run();
         } catch (CommandLine.UnmatchedArgumentException unknown) {
             String word = unknown.getUnmatched().get(0);
             if (!word.startsWith("-")) {

@@ -56,13 +56,17 @@ final class RunCommand {
         this.err = err;
     }
 
-    /** The exit code. */
-    int record(Main typed) {
-        if (typed.window || typed.obj != null) {
+    /** Refuses what no file can hold. */
+    static void requireRecordable(Main typed) {
+        if (typed.record != null && typed.obj != null) {
             throw new UsageException(
-                    "--record %s: writes down a scene without a window; leave --window and --obj out"
+                    "--record %s: writes down a scene of the list or a scene file; leave --obj out"
                             .formatted(typed.record));
         }
+    }
+
+    /** The exit code. */
+    int record(Main typed) {
         Path file = Path.of(String.valueOf(typed.record));
         Request request = Request.of(typed);
         SampleScene scene = only(request, "--record " + file);

@@ -38,6 +38,7 @@ final class Runner {
     private final PrintStream out;
     private final PrintStream err;
     private final boolean display;
+    private @Nullable Path record;
 
     /** Begins with a saved moment, if there is one. */
     Runner(
@@ -51,6 +52,12 @@ final class Runner {
         this.out = out;
         this.err = err;
         this.display = display;
+    }
+
+    /** Has the run in the window be written to a file. */
+    Runner record(Path file) {
+        record = file;
+        return this;
     }
 
     /** Returns the exit code. */
@@ -132,6 +139,9 @@ final class Runner {
                         .withLanes(request.lanes())
                         .withPrecision(request.precision()));
         window.beginAt(from);
+        if (record != null) {
+            window.record(record);
+        }
         Path file = request.sceneFile();
         SceneFile described = request.described();
         if (file != null && described != null && from == null) {
@@ -146,7 +156,11 @@ final class Runner {
         }
         String reason = window.noWindow();
         if (reason == null) {
-            return Main.DONE;
+            String lost = window.notRecorded();
+            if (lost != null) {
+                err.println(lost);
+            }
+            return lost == null ? Main.DONE : Main.FAILED;
         }
         if (request.mode() == Request.Mode.WINDOW) {
             err.println("--window: no window can be opened: " + reason);

@@ -23,8 +23,9 @@ final class Diary {
     private long[] entities = new long[256];
     private double[] numbers = new double[256 * STRIDE];
 
-    private final long[] seenTicks = new long[SEEN];
-    private final long[] digests = new long[SEEN];
+    private long[] seenTicks = new long[SEEN];
+    private long[] digests = new long[SEEN];
+    private boolean keepsAll;
 
     /** Those before are forgotten. */
     private int first;
@@ -42,22 +43,47 @@ final class Diary {
         Arrays.fill(seenTicks, -1);
     }
 
+    /** From now on nothing is forgotten before another beginning. */
+    void keepAll() {
+        keepsAll = true;
+    }
+
     /** A tick is done, and the world has that digest. */
     void ticked(long tick, long digest) {
         next = tick + 1;
-        int at = (int) (tick & (SEEN - 1));
-        seenTicks[at] = tick;
-        digests[at] = digest;
+        if (keepsAll && seenTicks[at(tick)] >= 0 && !hasSeen(tick)) {
+            longer();
+        }
+        seenTicks[at(tick)] = tick;
+        digests[at(tick)] = digest;
+    }
+
+    private int at(long tick) {
+        return (int) (tick & (seenTicks.length - 1));
+    }
+
+    private void longer() {
+        long[] ticksBefore = seenTicks;
+        long[] digestsBefore = digests;
+        seenTicks = new long[2 * ticksBefore.length];
+        digests = new long[2 * ticksBefore.length];
+        Arrays.fill(seenTicks, -1);
+        for (int i = 0; i < ticksBefore.length; i++) {
+            if (ticksBefore[i] >= 0) {
+                seenTicks[at(ticksBefore[i])] = ticksBefore[i];
+                digests[at(ticksBefore[i])] = digestsBefore[i];
+            }
+        }
     }
 
     /** Whether the digest after a tick was seen, not too long ago. */
     boolean hasSeen(long tick) {
-        return tick >= 0 && seenTicks[(int) (tick & (SEEN - 1))] == tick;
+        return tick >= 0 && seenTicks[at(tick)] == tick;
     }
 
     /** The digest of the world as it was seen after a tick. */
     long digest(long tick) {
-        return digests[(int) (tick & (SEEN - 1))];
+        return digests[at(tick)];
     }
 
     /** The world is at a tick of the past, with an empty hand; what came after may come again. */
@@ -82,6 +108,9 @@ final class Diary {
 
     /** Nobody goes back before a tick. */
     void forgetUpTo(long tick) {
+        if (keepsAll) {
+            return;
+        }
         while (first < count && ticks[first] <= tick) {
             first++;
         }

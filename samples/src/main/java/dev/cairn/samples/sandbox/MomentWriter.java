@@ -1,6 +1,7 @@
 package dev.cairn.samples.sandbox;
 
 import dev.cairn.core.state.StateException;
+import dev.cairn.core.state.WorldState;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.time.Recorder;
@@ -85,10 +86,45 @@ record MomentWriter(
         }
         long begin = timeline.tick(key);
         Path file = folder.resolve("report-" + scene.id() + "-" + tick + ".cairn");
+        try {
+            long parts = run(file, timeline.state(key), begin, diary, worlds, tick, stepSeconds);
+            return parts >= 0
+                    ? "The report is in " + file + otherwise(parts)
+                    : "The last %d ticks are in %s; samples --replay plays them again"
+                            .formatted(tick - begin, file);
+        } catch (IOException | StateException failure) {
+            return "No report: " + failure.getMessage();
+        }
+    }
+
+    /** What to tell of a run that does not come again. */
+    static String otherwise(long tick) {
+        return ", but from tick %d on it comes out otherwise than here: not all that was done is in it"
+                .formatted(tick);
+    }
+
+    /**
+     * Writes a run as it comes again from its first moment, see {@link #report}.
+     *
+     * @param file where to
+     * @param from the world when the run began
+     * @param begin the tick of that moment
+     * @return the first tick that comes out otherwise, or -1
+     * @throws IOException if the file cannot be written
+     */
+    long run(
+            Path file,
+            WorldState from,
+            long begin,
+            Diary diary,
+            Supplier<PhysicsWorld> worlds,
+            long tick,
+            double stepSeconds)
+            throws IOException {
         long parts = -1;
         try (PhysicsWorld world = worlds.get()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
-            world.restore(timeline.state(key));
+            world.restore(from);
             built.returnTo(begin);
             Recorder<Act> recorder = new Recorder<>(world, new Player(built), KEYFRAME_TICKS);
             for (long t = begin + 1; t <= tick; t++) {
@@ -104,15 +140,8 @@ record MomentWriter(
                 }
             }
             RunFile.write(file, arguments(), sceneText, begin, recorder.recording(), looks);
-            if (parts >= 0) {
-                return "The report is in %s, but from tick %d on it comes out otherwise than here: not all that was done is in it"
-                        .formatted(file, parts);
-            }
-        } catch (IOException | StateException failure) {
-            return "No report: " + failure.getMessage();
         }
-        return "The last %d ticks are in %s; samples --replay plays them again"
-                .formatted(tick - begin, file);
+        return parts;
     }
 
     /** Options that lead to this scene. */

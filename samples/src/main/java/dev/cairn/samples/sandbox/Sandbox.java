@@ -24,8 +24,6 @@ import dev.cairn.samples.replay.Looks;
 import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenefile.SceneExport;
 import dev.cairn.samples.scenefile.SceneFile;
-import dev.cairn.samples.scenefile.SceneLoader;
-import dev.cairn.samples.scenefile.SceneWriter;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -50,7 +48,7 @@ public class Sandbox extends Application {
     private final EditorStage stage = new EditorStage(this);
     private final Editor editor = new Editor(stage);
     private final EditorPanels editorPanels = new EditorPanels(editor);
-    private final LeaveQuestion leaving = new LeaveQuestion(editor, editorPanels, this::quit);
+    private final LeaveQuestion leaving = new LeaveQuestion(editor, editorPanels, this::leave);
     private boolean editsJoints;
     private boolean drewJoints;
     private double windowStepSeconds = SampleScene.STEP_SECONDS;
@@ -77,6 +75,7 @@ public class Sandbox extends Application {
     private volatile double aspect = 1;
 
     private @Nullable String noWindow;
+    private final MomentFiles files;
 
     /**
      * A sandbox that is not open yet.
@@ -109,6 +108,7 @@ public class Sandbox extends Application {
         this.scenes = scenes;
         this.choice = new SceneChoice(scenes, options);
         this.built = new BuiltScene(choice, stage, out);
+        this.files = new MomentFiles(this, choice, stage, built, time, out);
         this.workers = workers;
         this.substeps = substeps;
         this.sleeping = sleeping;
@@ -144,6 +144,25 @@ public class Sandbox extends Application {
      */
     public void beginAt(@Nullable RunFile file) {
         built.beginAt(file);
+    }
+
+    /**
+     * Has the run of the scene be written to a file when the window is closed, from the scene's
+     * last beginning on; before {@link #start}.
+     *
+     * @param file where to
+     */
+    public void record(Path file) {
+        files.record(file);
+    }
+
+    /**
+     * Why there is no file; after {@link #start}.
+     *
+     * @return the reason, or null if it is there or was not wanted
+     */
+    public @Nullable String notRecorded() {
+        return files.notRecorded();
     }
 
     /** The editor; window thread. For tests. */
@@ -332,50 +351,20 @@ public class Sandbox extends Application {
         return time;
     }
 
-    /** Writes this moment to a file. */
-    void saveMoment() {
-        MomentWriter writer = writer();
-        if (writer != null) {
-            time.save(writer);
-        }
+    /** Writes moments, reports and runs to files. */
+    MomentFiles files() {
+        return files;
     }
 
-    /** Writes the last seconds to a file that can be played again. */
-    void writeReport() {
-        MomentWriter writer = writer();
-        if (writer != null) {
-            time.report(writer, this::createPhysics, tickSeconds);
-        }
+    /** With what decides the bits of the present world. */
+    MomentWriter writer(
+            Path folder, SampleScene scene, String text, SceneOptions options, Looks looks) {
+        return new MomentWriter(folder, scene, text, options, substeps, settings, sleeping, looks);
     }
 
-    private @Nullable MomentWriter writer() {
-        Looks known = built.looks();
-        if (built.now() == null || known == null || stage.rests()) {
-            notice("Play the scene first: moments and reports are of a scene that runs");
-            return null;
-        }
-        EditorStage.Shown edited = stage.shown();
-        if (edited == null) {
-            return new MomentWriter(
-                    Path.of("").toAbsolutePath(),
-                    choice.scene(),
-                    "",
-                    choice.options(),
-                    substeps,
-                    settings,
-                    sleeping,
-                    known);
-        }
-        SceneFile scene = edited.scene().withState(null); // the file has a state of its own
-        return new MomentWriter(
-                edited.folder(),
-                SceneLoader.sample(scene.name(), scene.name(), edited.folder(), scene),
-                SceneWriter.text(scene),
-                new SceneOptions(Map.of(), choice.options().seed(), null),
-                substeps,
-                settings,
-                sleeping,
-                known);
+    /** Length of the last tick, s. */
+    double tickSeconds() {
+        return tickSeconds;
     }
 
     void grab(long entity, double distance, Vector3d localPoint) {
@@ -485,9 +474,15 @@ public class Sandbox extends Application {
         return leaving.dismiss() || editorPanels.dismiss();
     }
 
+    private void leave() {
+        if (!files.writesBefore(this::quit)) {
+            quit();
+        }
+    }
+
     @Override
     protected boolean closing() {
-        return leaving.mayLeave();
+        return leaving.mayLeave() && !files.writesBefore(this::quit);
     }
 
     /** Called after the panels of a frame; window thread. For tests. */

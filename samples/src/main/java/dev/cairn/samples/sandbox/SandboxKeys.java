@@ -42,7 +42,7 @@ final class SandboxKeys {
                 .onKey(Key.PERIOD, "forth in time", time::forth)
                 .onKey(Key.K, "keep moment", time::keepMoment)
                 .onKey(Key.L, "to kept moment", time::backToKept)
-                .onKey(Key.M, "save moment", sandbox::saveMoment)
-                .onKey(Key.F9, "bug report", sandbox::writeReport);
+                .onKey(Key.M, "save moment", sandbox.files()::saveMoment)
+                .onKey(Key.F9, "bug report", sandbox.files()::writeReport);
     }
 }

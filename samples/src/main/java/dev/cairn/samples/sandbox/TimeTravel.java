@@ -1,10 +1,13 @@
 package dev.cairn.samples.sandbox;
 
+import dev.cairn.core.state.WorldState;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.samples.SceneBuilder;
 
 import org.jspecify.annotations.Nullable;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.function.Supplier;
 
 /**
@@ -16,6 +19,11 @@ final class TimeTravel {
     private final Diary diary;
     private final MouseHand hand;
     private final Timeline timeline = new Timeline();
+
+    /** The world as it began, if its whole run is to be written down. */
+    private @Nullable WorldState first;
+
+    private long firstTick = -1;
 
     TimeTravel(Sandbox sandbox, Diary diary, MouseHand hand) {
         this.sandbox = sandbox;
@@ -31,6 +39,39 @@ final class TimeTravel {
     void begin(PhysicsWorld world, @Nullable SceneBuilder scene) {
         diary.begin(sandbox.builtTick());
         timeline.begin(world, scene);
+        firstTick = scene == null ? -1 : sandbox.builtTick();
+        if (first != null && scene != null) {
+            world.save(first);
+        }
+    }
+
+    /** Has whole runs be written down; before the first one. */
+    void keepRuns() {
+        first = new WorldState();
+        diary.keepAll();
+    }
+
+    /**
+     * Writes the whole run of the present scene to a file.
+     *
+     * @return what to tell the user
+     * @throws IOException if it cannot be written
+     */
+    String writeRun(
+            Path file, MomentWriter writer, Supplier<PhysicsWorld> worlds, double stepSeconds)
+            throws IOException {
+        WorldState begin = first;
+        long tick = sandbox.builtTick();
+        if (begin == null || firstTick < 0) {
+            throw new IOException("no scene ran");
+        }
+        long parts = writer.run(file, begin, firstTick, diary, worlds, tick, stepSeconds);
+        return "Recorded %d ticks of %s in %s%s"
+                .formatted(
+                        tick - firstTick,
+                        writer.scene().id(),
+                        file,
+                        parts < 0 ? "" : MomentWriter.otherwise(parts));
     }
 
     /** After a tick. */

@@ -65,9 +65,15 @@ final class SandboxProbe extends Sandbox {
     /** Where the test leaves a moment to begin with, if it wants one. */
     static final String MOMENT = "begin.cairn";
 
+    /** Where the run goes when the window is closed, if a file of that name is there. */
+    static final String RUN = "run.cairn";
+
     /** Runs until the window is closed. */
     public static void main(String[] arguments) throws IOException {
         SandboxProbe probe = new SandboxProbe(List.of(StackOfBoxes.scene()), System.out);
+        if (Files.exists(Path.of(RUN))) {
+            probe.record(Path.of(RUN));
+        }
         if (Files.exists(Path.of(MOMENT))) {
             probe.beginAt(RunFile.open(Path.of(MOMENT)));
         }

@@ -1,0 +1,74 @@
+package dev.cairn.samples.sandbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.samples.Main;
+
+import org.junit.jupiter.api.Test;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** A whole run in the real window, as {@code samples --window --record} writes it. */
+class RecordWindowTest extends WindowFixture {
+    @Override
+    Class<?> program() {
+        return SandboxProbe.class;
+    }
+
+    /** The probe records where it finds the file. */
+    @Override
+    void prepare() throws IOException {
+        Files.createFile(folder.resolve(SandboxProbe.RUN));
+    }
+
+    @Override
+    boolean ready(Seen seen) {
+        return seen.number("tick") >= 5;
+    }
+
+    /** Balls, a pull of the mouse, a past that was changed: what comes again is what was seen. */
+    @Test
+    void theRunIsWrittenWhenTheWindowCloses() throws IOException, InterruptedException {
+        type("key", "b");
+        await("a ball", seen -> seen.number("bodies") == 6);
+        await("60 ticks", seen -> seen.number("tick") >= 60);
+        moveTo(512, 340);
+        type("mousedown", "1");
+        Seen pulling = await("a body in the hand", seen -> seen.flag("pulling"));
+        moveTo(560, 300);
+        await("pulls", seen -> seen.number("tick") > pulling.number("tick") + 30);
+        type("mouseup", "1");
+        await("it to be let go", seen -> !seen.flag("pulling"));
+        type("key", "comma");
+        await("the pause", seen -> seen.flag("paused"));
+        type("key", "comma", "comma", "comma");
+        Seen back = await("the past", seen -> seen.number("tick") <= seen.number("newest") - 3);
+        type("key", "b"); // another future begins here
+        type("key", "space");
+        await(
+                "a future with two balls",
+                seen -> seen.number("bodies") == 7 && seen.number("tick") > back.number("newest"));
+        type("key", "p");
+        await("the pause", seen -> seen.flag("paused"));
+        settle();
+        Seen end = now();
+        assertTrue(end.number("tick") > back.number("newest"), last);
+        type("key", "Escape");
+        assertEquals(0, ended());
+        Path run = folder.resolve(SandboxProbe.RUN);
+        assertTrue(Files.size(run) > 1000, "nothing is in " + run);
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        PrintStream both = new PrintStream(out, true, StandardCharsets.UTF_8);
+        String[] arguments = {"--replay", run.toString(), "--workers", "2", "--lanes", "4"};
+        assertEquals(0, Main.run(arguments, both, both, false), out::toString);
+        String told = out.toString(StandardCharsets.UTF_8);
+        assertTrue(told.contains(end.values().get("digest")), end + " against " + told);
+        assertTrue(told.contains("%.0f ticks from tick 0".formatted(end.number("tick"))), told);
+    }
+}
