@@ -167,7 +167,7 @@ record Alignment(int head, int before, int after, int tail, int[] resized, List<
             int r = NUMBERS * firsts[n];
             int longer = resized[r + 2] - resized[r + 1];
             out.writeShort(resized[r + 1]);
-            out.writeShort(longer << 1 ^ longer >> 31);
+            out.writeShort((longer << 1) ^ (longer >> 31));
             out.writeShort(resized[r + 3] + 1);
         }
         out.writeShort(count);
@@ -207,7 +207,7 @@ record Alignment(int head, int before, int after, int tail, int[] resized, List<
         for (int n = 0; n < lengths.length; n += 3) {
             lengths[n] = in.readShort();
             int longer = in.readShort();
-            lengths[n + 1] = lengths[n] + (longer >>> 1 ^ -(longer & 1));
+            lengths[n + 1] = lengths[n] + ((longer >>> 1) ^ -(longer & 1));
             lengths[n + 2] = in.readShort() - 1;
         }
         int[] resized = new int[NUMBERS * in.need(2, in.readShort())];

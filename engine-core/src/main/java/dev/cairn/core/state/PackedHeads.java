@@ -94,7 +94,7 @@ final class PackedHeads {
         in.bytes = packed;
         in.size = packed.length;
         for (int i = 0; i < 4; i++) {
-            in.code = in.code << 8 | in.next();
+            in.code = (in.code << 8) | in.next();
         }
         byte[] heads = new byte[length];
         int last = 0;
@@ -113,7 +113,7 @@ final class PackedHeads {
     private void put(int[] chances, int from, int bits, int value) {
         int node = 1;
         for (int i = bits - 1; i >= 0; i--) {
-            int bit = value >>> i & 1;
+            int bit = (value >>> i) & 1;
             put(chances, from + node, bit);
             node = 2 * node + bit;
         }
@@ -138,7 +138,7 @@ final class PackedHeads {
         while ((low ^ high) >>> 24 == 0) {
             write(high >>> 24);
             low <<= 8;
-            high = high << 8 | 255;
+            high = (high << 8) | 255;
         }
     }
 
@@ -153,15 +153,15 @@ final class PackedHeads {
         learn(chances, place, bit);
         while ((low ^ high) >>> 24 == 0) {
             low <<= 8;
-            high = high << 8 | 255;
-            code = code << 8 | next();
+            high = (high << 8) | 255;
+            code = (code << 8) | next();
         }
         return bit;
     }
 
     private int cut(int chance) {
         long range = (high & 0xFFFF_FFFFL) - (low & 0xFFFF_FFFFL);
-        return low + (int) (range * (chance & (ONE - 1)) >>> CHANCE_BITS);
+        return low + (int) ((range * (chance & (ONE - 1))) >>> CHANCE_BITS);
     }
 
     private static void learn(int[] chances, int place, int bit) {
@@ -169,9 +169,9 @@ final class PackedHeads {
         int seen = now >>> CHANCE_BITS;
         int chance = now & (ONE - 1);
         int gap = (bit == 1 ? ONE : 0) - chance;
-        chance += (int) ((long) gap * RATE[seen] >> CHANCE_BITS);
+        chance += (int) (((long) gap * RATE[seen]) >> CHANCE_BITS);
         chance = Math.min(Math.max(chance, LEAST), ONE - LEAST);
-        chances[place] = Math.min(seen + 1, STEADY) << CHANCE_BITS | chance;
+        chances[place] = (Math.min(seen + 1, STEADY) << CHANCE_BITS) | chance;
     }
 
     private void write(int octet) {

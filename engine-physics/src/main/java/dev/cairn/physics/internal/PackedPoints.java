@@ -136,11 +136,11 @@ final class PackedPoints {
     /** Small numbers for bits that are near, of either sign. */
     private static long less(double x, double foreseen) {
         long d = Double.doubleToRawLongBits(x) - Double.doubleToRawLongBits(foreseen);
-        return d << 1 ^ d >> 63;
+        return (d << 1) ^ (d >> 63);
     }
 
     private static double more(long packed, double foreseen) {
-        long d = packed >>> 1 ^ -(packed & 1);
+        long d = (packed >>> 1) ^ -(packed & 1);
         return Double.longBitsToDouble(Double.doubleToRawLongBits(foreseen) + d);
     }
 }
