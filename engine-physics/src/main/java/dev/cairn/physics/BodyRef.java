@@ -56,7 +56,7 @@ public final class BodyRef extends BodyState {
      * @param fz N, finite
      */
     public void applyForce(double fx, double fy, double fz) {
-        table.access.applyForce(changed("applyForce"), fx, fy, fz);
+        table.pushes.applyForce(changed("applyForce"), fx, fy, fz);
     }
 
     /**
@@ -80,7 +80,7 @@ public final class BodyRef extends BodyState {
      * @param pz point, world, m, finite
      */
     public void applyForceAt(double fx, double fy, double fz, double px, double py, double pz) {
-        table.access.applyForceAt(changed("applyForceAt"), fx, fy, fz, px, py, pz);
+        table.pushes.applyForceAt(changed("applyForceAt"), fx, fy, fz, px, py, pz);
     }
 
     /**
@@ -103,7 +103,7 @@ public final class BodyRef extends BodyState {
      * @param tz N m, finite
      */
     public void applyTorque(double tx, double ty, double tz) {
-        table.access.applyTorque(changed("applyTorque"), tx, ty, tz);
+        table.pushes.applyTorque(changed("applyTorque"), tx, ty, tz);
     }
 
     /**
@@ -124,7 +124,7 @@ public final class BodyRef extends BodyState {
      * @param jz N s, finite
      */
     public void applyImpulse(double jx, double jy, double jz) {
-        table.access.applyImpulse(changed("applyImpulse"), jx, jy, jz);
+        table.pushes.applyImpulse(changed("applyImpulse"), jx, jy, jz);
     }
 
     /**
@@ -148,7 +148,7 @@ public final class BodyRef extends BodyState {
      * @param pz point, world, m, finite
      */
     public void applyImpulseAt(double jx, double jy, double jz, double px, double py, double pz) {
-        table.access.applyImpulseAt(changed("applyImpulseAt"), jx, jy, jz, px, py, pz);
+        table.pushes.applyImpulseAt(changed("applyImpulseAt"), jx, jy, jz, px, py, pz);
     }
 
     /**
@@ -171,7 +171,7 @@ public final class BodyRef extends BodyState {
      * @param lz N m s, finite
      */
     public void applyAngularImpulse(double lx, double ly, double lz) {
-        table.access.applyAngularImpulse(changed("applyAngularImpulse"), lx, ly, lz);
+        table.pushes.applyAngularImpulse(changed("applyAngularImpulse"), lx, ly, lz);
     }
 
     /**
@@ -531,7 +531,7 @@ public final class BodyRef extends BodyState {
      * @param filter the new one
      */
     public void setFilter(Filter filter) {
-        table.collision.rules.setFilters(changed("setFilter"), filter);
+        table.collision.setFilters(changed("setFilter"), filter);
     }
 
     /**

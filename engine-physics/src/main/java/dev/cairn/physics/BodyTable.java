@@ -18,6 +18,7 @@ import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.shape.MassProperties;
+import dev.cairn.physics.state.Pushes;
 import dev.cairn.physics.state.RigidBody;
 import dev.cairn.physics.state.Roster;
 import dev.cairn.physics.state.WorldCheck;
@@ -51,6 +52,7 @@ final class BodyTable implements Stateful {
     final Sleepers sleepers;
     final ContactStore contacts;
     final BodyAccess access;
+    final Pushes pushes;
     final BodyChanges changes;
     final ColliderTable collision;
 
@@ -83,6 +85,7 @@ final class BodyTable implements Stateful {
         sleepers = roster.sleepers;
         this.contacts = contacts;
         access = new BodyAccess(this);
+        pushes = new Pushes(roster);
         collision = new ColliderTable(this);
         changes = new BodyChanges(this);
     }

@@ -15,6 +15,7 @@ import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.mesh.Meshed;
+import dev.cairn.physics.shape.union.ConvexUnion;
 
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
@@ -452,12 +453,36 @@ public final class Collider {
         for (Collider part : parts) {
             solid |= !part.sensor;
         }
+        Shape whole = whole(parts);
+        if (whole != null) {
+            all.add(whole.massProperties(parts.get(0).material().density()));
+        }
         for (Collider part : parts) {
-            if (!part.sensor || !solid) {
+            if (whole == null && (!part.sensor || !solid)) {
                 all.add(part.placed.massProperties(part.material().density()));
             }
         }
         return BodyMass.of(parts, BodyMass.sum(all), fixed, given);
+    }
+
+    /** What all parts make if they are of one density: it weighs what they do, rounded once. */
+    private static @Nullable Shape whole(List<Collider> parts) {
+        int[] like = new int[parts.size()];
+        List<Shape> shapes = new ArrayList<>();
+        List<double[]> poses = new ArrayList<>();
+        double density = parts.get(0).material().density();
+        for (Collider part : parts) {
+            if (part.sensor || part.material().density() != density) {
+                return null;
+            }
+            shapes.add(part.solid());
+            poses.add(part.from(0, 0, 0));
+        }
+        List<ConvexUnion> unions = ConvexUnion.of(shapes, poses, like);
+        if (unions.size() != 1 || unions.get(0).members().length < parts.size()) {
+            return null;
+        }
+        return unions.get(0).placed();
     }
 
     /** Whether a shape has no inside. */

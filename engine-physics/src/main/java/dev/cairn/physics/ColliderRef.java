@@ -149,7 +149,7 @@ public final class ColliderRef {
     public void setFilter(Filter filter) {
         int c = alive();
         body.requireBetweenSteps("setFilter");
-        table.rules.setFilter(c, filter);
+        table.setFilter(c, filter);
     }
 
     /**

@@ -5,6 +5,7 @@ import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.PairFilter;
+import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.BodyMass;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
@@ -16,6 +17,7 @@ import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.state.GroundEdit;
 import dev.cairn.physics.state.PairRules;
+import dev.cairn.physics.state.Wholes;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -36,6 +38,7 @@ final class ColliderTable implements Stateful {
     /** Who meets whom. */
     final PairRules rules;
 
+    private final Wholes wholes;
     private final BodyTable table;
     private final BroadPhase broadPhase;
 
@@ -62,6 +65,7 @@ final class ColliderTable implements Stateful {
         broadPhase = table.broadPhase;
         pairFilter = table.roster.pairFilter;
         rules = new PairRules(colliders, pairFilter, broadPhase);
+        wholes = new Wholes(table.roster, rules);
     }
 
     /** The reference to a collider, or to the last one in its slot. */
@@ -86,7 +90,9 @@ final class ColliderTable implements Stateful {
     List<ColliderRef> list(int body) {
         List<ColliderRef> list = new ArrayList<>();
         for (int c = first(body); c != ColliderStore.NONE; c = colliders.next[c]) {
-            list.add(ref(c));
+            if (!colliders.isWhole(c)) {
+                list.add(ref(c));
+            }
         }
         return list;
     }
@@ -163,8 +169,49 @@ final class ColliderTable implements Stateful {
             for (Collider part : parts) {
                 child(body, part);
             }
+            joinParts(body, true);
         }
         colliders.measure(body);
+    }
+
+    /** Finds anew what the parts of a body make together. */
+    private void joinParts(int body) {
+        joinParts(body, false);
+    }
+
+    private void joinParts(int body, boolean isNew) {
+        if (first(body) == body || !wholes.mayMake(body)) {
+            return;
+        }
+        wholes.begin(body);
+        for (int c = first(body); c != ColliderStore.NONE; c = colliders.next[c]) {
+            if (!colliders.isWhole(c)) {
+                wholes.part(c, specs[c].solid(), local(body, specs[c]));
+            }
+        }
+        wholes.end(isNew);
+        ensureSlots();
+        colliders.measure(body);
+        for (int c = first(body); c != ColliderStore.NONE && !isNew; c = colliders.next[c]) {
+            if (colliders.isWhole(c)) {
+                ContactMaterials.mixAll(contacts(), c, colliders);
+            }
+        }
+    }
+
+    /** Another filter of a collider. */
+    void setFilter(int c, Filter filter) {
+        rules.setFilter(c, filter);
+        joinParts(colliders.body[c]);
+    }
+
+    /** Another filter of all colliders of a body. */
+    void setFilters(int body, Filter filter) {
+        boolean wereAlike = wholes.meetAlike(body);
+        rules.setFilters(body, filter);
+        if (!wereAlike) {
+            joinParts(body);
+        }
     }
 
     private void only(int body, Collider part) {
@@ -233,11 +280,16 @@ final class ColliderTable implements Stateful {
         if (Checks.notNull("material", material).equals(specs[c].material())) {
             return;
         }
-        surface(c, now(c).material(material));
+        paint(c, material);
+        joinParts(colliders.body[c]);
         colliders.measure(colliders.body[c]);
-        ContactMaterials.mixAll(contacts(), c, colliders);
         table.roster.changed(colliders.body[c]);
         table.changes.wakeAround(colliders.body[c]);
+    }
+
+    private void paint(int c, Material material) {
+        surface(c, now(c).material(material));
+        ContactMaterials.mixAll(contacts(), c, colliders);
     }
 
     private void ensureSlots() {
@@ -283,6 +335,7 @@ final class ColliderTable implements Stateful {
         }
         MassProperties mass = massNow(body, parts);
         takeOut(body, collider);
+        wholes.leave(body, collider);
         join(body);
         settle(body, mass);
         table.changes.wakeAround(body);
@@ -350,7 +403,9 @@ final class ColliderTable implements Stateful {
     private List<Collider> parts(int body) {
         List<Collider> parts = new ArrayList<>();
         for (int c = first(body); c != ColliderStore.NONE; c = colliders.next[c]) {
-            parts.add(specs[c]);
+            if (!colliders.isWhole(c)) {
+                parts.add(specs[c]);
+            }
         }
         return parts;
     }
@@ -414,8 +469,12 @@ final class ColliderTable implements Stateful {
     void settle(int body, MassProperties p) {
         table.access.setMass(body, p);
         for (int c = first(body); c != ColliderStore.NONE && c != body; c = colliders.next[c]) {
-            System.arraycopy(local(body, specs[c]), 0, colliders.local, ColliderStore.LOCAL * c, 7);
+            if (!colliders.isWhole(c)) {
+                System.arraycopy(
+                        local(body, specs[c]), 0, colliders.local, ColliderStore.LOCAL * c, 7);
+            }
         }
+        joinParts(body);
         colliders.measure(body);
         table.roster.changed(body);
     }
@@ -481,7 +540,7 @@ final class ColliderTable implements Stateful {
     boolean isMadeOf(int body, Material material) {
         boolean all = true;
         for (int c = first(body); c != ColliderStore.NONE; c = colliders.next[c]) {
-            all &= material.equals(specs[c].material());
+            all &= colliders.isWhole(c) || material.equals(specs[c].material());
         }
         return all;
     }
@@ -493,10 +552,11 @@ final class ColliderTable implements Stateful {
             parts.add(part.material(material));
         }
         MassProperties p = massNow(body, parts);
-        for (int c = first(body); c != ColliderStore.NONE; c = colliders.next[c]) {
-            setMaterial(c, material);
+        for (ColliderRef part : list(body)) {
+            paint(part.slot(), material);
         }
         settle(body, p);
+        table.changes.wakeAround(body);
     }
 
     /** As another world: its pairs are what they are, and are not asked anew. */

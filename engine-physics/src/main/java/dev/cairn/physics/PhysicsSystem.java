@@ -15,14 +15,15 @@ import dev.cairn.physics.contact.BodyTouches;
 import dev.cairn.physics.contact.ComposeStage;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.contact.ManifoldStage;
-import dev.cairn.physics.contact.PatchStage;
-import dev.cairn.physics.contact.SeamStage;
 import dev.cairn.physics.contact.SensorStage;
 import dev.cairn.physics.contact.SweepStage;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.contact.WakeStage;
 import dev.cairn.physics.contact.hook.BeltStage;
 import dev.cairn.physics.contact.hook.HookStage;
+import dev.cairn.physics.contact.seam.PatchStage;
+import dev.cairn.physics.contact.seam.SeamStage;
+import dev.cairn.physics.contact.seam.WholeStage;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.JointStore;
@@ -84,6 +85,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
     final HookStage hooks;
     private final BeltStage belts;
     private final ManifoldStage manifolds;
+    private final WholeStage wholes;
     private final SweepStage sweeps;
     private final SeamStage seams;
     private final PatchStage patches;
@@ -110,6 +112,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         hooks = new HookStage(table.colliders, contacts);
         compose = new ComposeStage(table.colliders);
         manifolds = new ManifoldStage(table.colliders, table.bounds, rows);
+        wholes = new WholeStage(table.colliders, contacts);
         sweeps = new SweepStage(table.colliders, contacts, table.bounds, edges);
         seams = new SeamStage(table.colliders, contacts, table.bounds);
         patches = new PatchStage(table.colliders, contacts);
@@ -182,10 +185,13 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                 gravity(),
                 tick.stepSeconds(),
                 tick.jobs());
+        wholes.join(table.broadPhase);
         sweeps.run(tick.stepSeconds(), tick.jobs());
+        wholes.see();
         hooks.run(tick.jobs());
-        belts.run(tick.jobs());
         events.approach(contacts, table.bodies, tick.jobs());
+        wholes.choose(hooks.get() != null);
+        belts.run(tick.jobs());
         table.roster.refreshLists();
         if (table.roster.dynamicCount > 0) {
             seams.join(tick.stepSeconds(), tick.jobs());
@@ -200,12 +206,15 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                     tick.jobs());
             patches.part(tick.jobs());
             seams.part(tick.jobs());
+            wholes.part(tick.jobs());
             sweeps.finish(
                     table.roster.dynamic,
                     table.roster.dynamicCount,
                     table.broadPhase,
                     hooks.get() != null,
                     tick.jobs());
+        } else {
+            wholes.see();
         }
         table.roster.motion.end(
                 table.roster.kinematic, table.roster.kinematicCount, tick.stepSeconds());

@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -167,6 +168,40 @@ class KinematicTest {
             }
         }
         assertEquals(1, digests.size());
+    }
+
+    /** What rides far away costs a rider nothing: not a bit of its way. */
+    @Test
+    void whatRidesElsewhereDoesNotMatter() {
+        long[] alone = wayOfRiders(0);
+        long[] among = wayOfRiders(600);
+        assertArrayEquals(alone, among);
+    }
+
+    private static long[] wayOfRiders(int others) {
+        try (PhysicsWorld world = awake(1, 1).build()) {
+            Body plate = Body.kinematic().shape(Box.ofHalfExtents(20, 0.1, 20));
+            List<BodyRef> plates = List.of(world.add(plate), world.add(plate.at(100, 0, 0)));
+            List<BodyRef> riders = new ArrayList<>();
+            Body box = Body.dynamic().shape(Box.cubeOfHalfExtent(HALF));
+            for (int k = 0; k < 3; k++) {
+                riders.add(world.add(box.at(0.05 * k, 0.1 + HALF * (1 + 2 * k), 0)));
+            }
+            for (int i = 0; i < others; i++) {
+                world.add(box.at(90 + i % 30 * 0.7, 0.1 + HALF, i / 30 * 0.7 - 9));
+            }
+            long[] way = new long[3 * 40];
+            for (int tick = 0; tick < 40; tick++) {
+                double t = (tick + 1) * STEP;
+                plates.get(0).moveTo(t * t, 0, 0);
+                plates.get(1).moveTo(100 + t * t, 0, 0);
+                world.step(STEP);
+                for (int k = 0; k < 3; k++) {
+                    way[3 * tick + k] = Double.doubleToLongBits(riders.get(k).position().x);
+                }
+            }
+            return way;
+        }
     }
 
     /** Between two targets at one speed, and a third: no velocity beyond those. */

@@ -121,7 +121,9 @@ public final class Candidates {
     }
 
     private boolean isAsked(int collider) {
-        return !(source < TREES && isAstray.get(collider)) && wanted.test(collider);
+        return !(source < TREES && isAstray.get(collider))
+                && !colliders.isWhole(collider)
+                && wanted.test(collider);
     }
 
     /** Places a collider where it is now. */

@@ -154,13 +154,46 @@ public final class PairFilter implements Stateful {
         if (colliders.sensors && colliders.sensor[a] && colliders.sensor[b]) {
             return false;
         }
+        if (colliders.wholes && (isApart(a, b) || isApart(b, a))) {
+            return false;
+        }
         Filter one = colliders.filter[a];
         return one.meets(colliders.filter[b]);
     }
 
-    /** What the user says of a pair that {@link #admits}. */
+    /** A whole meets other wholes, and what is no part of one; sensors see its parts. */
+    private boolean isApart(int whole, int other) {
+        return colliders.isWhole(whole)
+                && (colliders.isPart(other) || (colliders.sensors && colliders.sensor[other]));
+    }
+
+    /** What the user says of a pair that {@link #admits}; of wholes, what of all their parts. */
     boolean passes(int a, int b) {
-        return test == null || test.admits(Math.min(a, b), Math.max(a, b));
+        if (test == null) {
+            return true;
+        }
+        if (!colliders.isWhole(a) && !colliders.isWhole(b)) {
+            return test.admits(Math.min(a, b), Math.max(a, b));
+        }
+        for (int c = firstPart(a, colliders.bodies.collider[colliders.body[a]]); c >= 0; ) {
+            for (int d = firstPart(b, colliders.bodies.collider[colliders.body[b]]); d >= 0; ) {
+                if (!test.admits(Math.min(c, d), Math.max(c, d))) {
+                    return false;
+                }
+                d = firstPart(b, colliders.next[d]);
+            }
+            c = firstPart(a, colliders.next[c]);
+        }
+        return true;
+    }
+
+    /** The first of a body's colliders, from one on, that another one stands for, or is. */
+    private int firstPart(int whole, int from) {
+        int c = from;
+        while (c >= 0 && (colliders.standIn(c) != whole || colliders.isWhole(c))) {
+            c = colliders.next[c];
+        }
+        return c;
     }
 
     /** Both questions. */

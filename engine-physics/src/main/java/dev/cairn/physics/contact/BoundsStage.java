@@ -34,7 +34,9 @@ public final class BoundsStage {
     private static final byte INVALID = 2;
 
     /** Of the narrow phase's margin: ticks of relative motion, and share of the inner radius. */
-    final double speculativeTime, speculativeFraction;
+    public final double speculativeTime;
+
+    final double speculativeFraction;
 
     private final double boundsMargin, boundsTime;
     private final BlockJob job = this::block;
@@ -95,7 +97,7 @@ public final class BoundsStage {
      * @param reach the tick's share in which relative motion counts, s
      * @param smaller inner radius of which a share is added, m
      */
-    double margin(int a, int b, double reach, double smaller) {
+    public double margin(int a, int b, double reach, double smaller) {
         int i = AHEAD * a;
         int j = AHEAD * b;
         double vx = ahead[j] - ahead[i];

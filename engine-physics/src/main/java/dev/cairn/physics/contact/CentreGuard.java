@@ -219,7 +219,10 @@ final class CentreGuard {
         double y = wayY(c);
         double z = wayZ(c);
         double least = FAST * colliders.innerRadius[c];
-        return x * x + y * y + z * z > least * least && least > 0 && !colliders.sensor[c];
+        return x * x + y * y + z * z > least * least
+                && least > 0
+                && !colliders.sensor[c]
+                && !colliders.isPart(c);
     }
 
     /**
@@ -296,6 +299,9 @@ final class CentreGuard {
             int body = movesA ? c.bodyA[row] : c.bodyB[row];
             if (isLoose(body) || state[i] != SweepStage.HARMLESS) {
                 int part = movesA ? c.colliderA[row] : c.colliderB[row];
+                if (colliders.isPart(part) && !isHooked) {
+                    continue; // its whole has a row; a hook sees those of parts
+                }
                 keepOut(part, movesA ? c.colliderB[row] : c.colliderA[row]);
             }
         }

@@ -98,6 +98,25 @@ public final class ManifoldStage {
      * @param stepSeconds length of the tick, s
      */
     public void run(ContactStore rows, double stepSeconds, Jobs jobs) {
+        showWholes(rows, 1);
+        collide(rows, stepSeconds, jobs);
+        showWholes(rows, -1);
+    }
+
+    /**
+     * Rows of wholes have the negative of their number of points but here and while {@code
+     * WholeStage} has them solved: nobody else sees them.
+     */
+    private void showWholes(ContactStore rows, int sign) {
+        for (int i = 0; colliders.wholes && i < rows.activeCount; i++) {
+            int row = rows.active[i];
+            if (colliders.isWhole(rows.colliderA[row]) || colliders.isWhole(rows.colliderB[row])) {
+                rows.pointCount[row] = sign * Math.abs(rows.pointCount[row]);
+            }
+        }
+    }
+
+    private void collide(ContactStore rows, double stepSeconds, Jobs jobs) {
         contacts = rows;
         reach = stepSeconds * bounds.speculativeTime;
         if (scratch.length < jobs.workers()) {

@@ -15,7 +15,7 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
  *
  * <p>One instance per worker.
  */
-final class PointOrder {
+public final class PointOrder {
     /** Each place has the point of its number. */
     static final int ASCENDING = 0b11_10_01_00;
 
@@ -32,8 +32,11 @@ final class PointOrder {
 
     private double qx, qy, qz, qw;
 
+    /** Nothing told yet. */
+    public PointOrder() {}
+
     /** Chooses the axes: a body's. */
-    void of(Poses s, int body) {
+    public void of(Poses s, int body) {
         qx = s.orientationX[body];
         qy = s.orientationY[body];
         qz = s.orientationZ[body];
@@ -45,7 +48,7 @@ final class PointOrder {
      *
      * @param x from the body's centre, world axes, m; likewise y and z
      */
-    void put(int point, double depth, double x, double y, double z) {
+    public void put(int point, double depth, double x, double y, double z) {
         separation[point] = depth;
         square[point] = x * x + y * y + z * z;
         // v' = v + 2 w (v x q) + 2 (v x q) x q, the turn back
@@ -63,7 +66,7 @@ final class PointOrder {
      * @param points how many
      * @return for each place the number of a point, two bits each, the first one lowest
      */
-    int order(int points) {
+    public int order(int points) {
         int order = 0;
         int places = 0;
         int before = -1;
@@ -117,7 +120,7 @@ final class PointOrder {
      *
      * @param first place of its first point
      */
-    static int of(int[] feature, int first, int points) {
+    public static int of(int[] feature, int first, int points) {
         int order = ASCENDING & (-1 << (2 * points));
         for (int p = 0; p < points; p++) {
             int rank = 0;

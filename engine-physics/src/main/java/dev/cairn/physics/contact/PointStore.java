@@ -13,7 +13,7 @@ import java.util.Arrays;
  * its feature id; a new id takes over from an old point that was hardly elsewhere. The points come
  * by name and are stored in their {@link PointOrder}.
  */
-final class PointStore {
+public final class PointStore {
     /**
      * A point whose features are new is an old one within this share of the smaller inner radius.
      */
@@ -23,17 +23,17 @@ final class PointStore {
     private ContactStore contacts = new ContactStore();
 
     /** Of some colliders. */
-    PointStore(ColliderStore colliders) {
+    public PointStore(ColliderStore colliders) {
         this.colliders = colliders;
     }
 
     /** Chooses the columns. */
-    void use(ContactStore rows) {
+    public void use(ContactStore rows) {
         contacts = rows;
     }
 
     /** Writes one row, and orders the manifold as it; no other worker may touch it. */
-    void store(int row, Manifold m, Scratch own) {
+    public void store(int row, Manifold m, Scratch own) {
         ContactStore c = contacts;
         if (m.pointCount == c.pointCount[row] && sameNames(row, m)) {
             c.setNormal(row, m.normalX, m.normalY, m.normalZ);
@@ -74,7 +74,7 @@ final class PointStore {
     }
 
     /** Writes one row whose points have no order yet. */
-    void storeAnew(int row, Manifold m, Scratch own) {
+    public void storeAnew(int row, Manifold m, Scratch own) {
         store(row, m, own, order(row, m, own.order));
     }
 
@@ -109,7 +109,7 @@ final class PointStore {
      * The narrow phase tells points from the centres of colliders; the solver wants them from those
      * of bodies. After all points of some rows are written.
      */
-    void fromBodies(int[] rows, int begin, int end) {
+    public void fromBodies(int[] rows, int begin, int end) {
         if (!contacts.compounds) {
             return;
         }
@@ -265,7 +265,7 @@ final class PointStore {
     }
 
     /** The points of the last tick, of one worker. */
-    static final class Scratch {
+    public static final class Scratch {
         final int[] feature = new int[ContactStore.POINTS];
         final double[] impulse = new double[ContactStore.POINTS];
         final double[] preload = new double[ContactStore.POINTS];
@@ -275,6 +275,9 @@ final class PointStore {
         final double[] z = new double[ContactStore.POINTS];
         final boolean[] unmatched = new boolean[ContactStore.POINTS];
         final PointOrder order = new PointOrder();
+
+        /** Empty. */
+        public Scratch() {}
 
         void take(ContactStore c, int row, int count) {
             int first = ContactStore.POINTS * row;

@@ -109,6 +109,19 @@ public final class ColliderStore implements Stateful {
     /** Numbers of a collider in {@link #local}. */
     public static final int LOCAL = 7;
 
+    /** Whether any body has, or had, a whole. */
+    public boolean wholes;
+
+    /**
+     * Of a child that a whole stands for, and of the whole itself: one more than the slot of the
+     * whole; 0 for others. A <em>whole</em> is the convex shape that several parts of a body make:
+     * it is solved in place of them, see {@code WholeStage}. Users do not see it.
+     */
+    public int[] whole = {};
+
+    /** By body with several colliders: one more than the whole that all of them make, or 0. */
+    public int[] sole = {};
+
     /** Slots of the bodies with several colliders, in the order in which they became such. */
     public int[] compound = new int[16];
 
@@ -116,6 +129,7 @@ public final class ColliderStore implements Stateful {
     public int compoundCount;
 
     private static final double[] NOTHING = {};
+    private static final int[] NO_SLOTS = {};
 
     private final double[] turned = new double[3];
     private final Columns.Kept kept = new Columns.Kept();
@@ -167,6 +181,8 @@ public final class ColliderStore implements Stateful {
         }
         if (compounds) {
             local = c.column("local", local, LOCAL);
+            whole = c.column("whole", whole);
+            sole = c.column("sole", sole);
         }
     }
 
@@ -177,12 +193,15 @@ public final class ColliderStore implements Stateful {
         belts = s.value("belts", belts);
         sensors = s.value("sensors", sensors);
         compounds = s.value("compounds", compounds);
+        wholes = s.value("wholes", wholes);
         surfaces = s.value("surfaces", surfaces);
         compoundCount = s.value("compoundCount", compoundCount);
         compound = s.array("compound", compound, compoundCount);
         if (s.isRestoring()) {
             belt = belts ? belt : NOTHING;
             local = compounds ? local : NOTHING;
+            whole = compounds ? whole : NO_SLOTS;
+            sole = compounds ? sole : NO_SLOTS;
         }
         ensureCapacity(slotCount);
         columns(kept.of(s, slotCount, body.length, false));
@@ -237,6 +256,46 @@ public final class ColliderStore implements Stateful {
     }
 
     /**
+     * Whether a collider is what parts make, and none that users know.
+     *
+     * @param collider its slot
+     * @return false for all that users made
+     */
+    public boolean isWhole(int collider) {
+        return wholes && whole[collider] == collider + 1;
+    }
+
+    /**
+     * Who is solved for a collider.
+     *
+     * @param collider its slot
+     * @return the whole that it is a part of, or itself
+     */
+    public int standIn(int collider) {
+        return wholes && whole[collider] > 0 ? whole[collider] - 1 : collider;
+    }
+
+    /**
+     * Whether a collider has a whole that stands for it.
+     *
+     * @param collider its slot
+     * @return false for a whole
+     */
+    public boolean isPart(int collider) {
+        return standIn(collider) != collider;
+    }
+
+    /**
+     * Whether a body is solved as several colliders.
+     *
+     * @param slot of the body
+     * @return false for one of a single collider, and for one whose parts make one convex shape
+     */
+    public boolean hasParts(int slot) {
+        return bodies.collider[slot] != slot && sole[slot] == 0;
+    }
+
+    /**
      * Gives a collider another shape; what contacts know of it holds no more.
      *
      * @param collider its slot
@@ -254,6 +313,10 @@ public final class ColliderStore implements Stateful {
         ensureCapacity(slotCount);
         body[collider] = slot;
         next[collider] = NONE;
+        if (compounds) {
+            whole[collider] = 0;
+            sole[collider] = 0;
+        }
         filter[collider] = Filter.ALL;
         setShape(collider, solid);
     }
@@ -414,6 +477,9 @@ public final class ColliderStore implements Stateful {
         double least = Double.POSITIVE_INFINITY;
         double outer = 0;
         for (int c = first; c != NONE; c = next[c]) {
+            if (isPart(c)) {
+                continue; // inside of its whole
+            }
             int l = LOCAL * c;
             double x = local[l];
             double y = local[l + 1];

@@ -213,7 +213,9 @@ public final class WorldCheck {
         side(where, c.colliderA[row], c.bodyA[row]);
         side(where, c.colliderB[row], c.bodyB[row]);
         where += " of " + body(c.bodyA[row]) + " and " + body(c.bodyB[row]);
-        int points = c.pointCount[row];
+        boolean isWhole =
+                colliders.isWhole(c.colliderA[row]) || colliders.isWhole(c.colliderB[row]);
+        int points = isWhole ? -c.pointCount[row] : c.pointCount[row];
         if (points < 0 || points > ContactStore.POINTS) {
             throw fault(where, "number of points", points, "0 to " + ContactStore.POINTS, REPORT);
         }

@@ -25,11 +25,11 @@ import java.util.Arrays;
  * only when a store has grown. Source: own study.
  */
 public final class Riders extends StaticStart {
-    /** Contacts of an island times sweeps in a sub-step, at most. */
+    /**
+     * Contacts of an island times sweeps in a sub-step, at most; the island's own, so that who
+     * rides elsewhere does not matter.
+     */
     private static final int VISITS = 1 << 13;
-
-    /** Contacts of all islands that ride in a tick times sweeps in a sub-step, at most. */
-    private static final int ALL_VISITS = 1 << 13;
 
     /** By place of rows in doubles and in floats: whether the row is of an island that rides. */
     private boolean[] doubles = {}, floats = {};
@@ -86,19 +86,17 @@ public final class Riders extends StaticStart {
                             || !rests(b, c.bodyB[source], root, still)
                             || list.rows(m).settleMark[list.place[m]] != 0;
         }
-        int all = 0;
         for (int m = 0; m < list.contacts; m++) {
             int root = island[list.mover(m)];
             rides[root] &= !swept[root] && VISITS / most[root] >= FEWEST;
             if (rides[root]) {
                 (list.rows(m).isSingle ? floats : doubles)[list.place[m]] = true;
-                all++;
                 found = true;
             }
         }
         for (int i = 0; i < b.slotCount; i++) {
             int rows = Math.max(1, most[i]);
-            most[i] = Math.min(sweeps, Math.min(VISITS / rows, ALL_VISITS / Math.max(1, all)));
+            most[i] = Math.min(sweeps, VISITS / rows);
             swept[i] = false;
             change[i] = 0;
             largest[i] = 0;

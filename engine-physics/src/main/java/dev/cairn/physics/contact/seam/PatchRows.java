@@ -1,5 +1,6 @@
-package dev.cairn.physics.contact;
+package dev.cairn.physics.contact.seam;
 
+import dev.cairn.physics.contact.PointOrder;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;

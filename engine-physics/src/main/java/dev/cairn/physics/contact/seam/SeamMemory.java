@@ -1,6 +1,7 @@
-package dev.cairn.physics.contact;
+package dev.cairn.physics.contact.seam;
 
 import dev.cairn.core.state.StateVisitor;
+import dev.cairn.physics.contact.PointOrder;
 import dev.cairn.physics.internal.Columns;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;

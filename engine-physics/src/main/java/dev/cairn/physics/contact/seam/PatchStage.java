@@ -1,4 +1,4 @@
-package dev.cairn.physics.contact;
+package dev.cairn.physics.contact.seam;
 
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
@@ -129,11 +129,8 @@ public final class PatchStage {
 
     private boolean isOfParts(int row) {
         ContactStore c = contacts;
-        int[] first = colliders.bodies.collider;
-        int a = c.bodyA[row];
-        int b = c.bodyB[row];
         return c.isSolved(row)
-                && (first[a] != a || first[b] != b)
+                && (colliders.hasParts(c.bodyA[row]) || colliders.hasParts(c.bodyB[row]))
                 && Surface.isFlat(c.surfaceA[row])
                 && Surface.isFlat(c.surfaceB[row]);
     }

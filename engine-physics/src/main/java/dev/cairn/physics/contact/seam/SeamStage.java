@@ -1,10 +1,12 @@
-package dev.cairn.physics.contact;
+package dev.cairn.physics.contact.seam;
 
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
+import dev.cairn.physics.contact.BoundsStage;
+import dev.cairn.physics.contact.PointStore;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
@@ -180,8 +182,8 @@ public final class SeamStage implements Stateful {
         boolean movesB = s.kind[b] == BodyStore.DYNAMIC;
         int side;
         if (movesA && movesB) {
-            boolean partsA = s.collider[a] != a;
-            boolean partsB = s.collider[b] != b;
+            boolean partsA = colliders.hasParts(a);
+            boolean partsB = colliders.hasParts(b);
             if (partsA == partsB) {
                 return -1;
             }
@@ -193,6 +195,10 @@ public final class SeamStage implements Stateful {
                 Reach.fits(colliders.shape[c.colliderA[row]])
                         && Reach.fits(colliders.shape[c.colliderB[row]]);
         return fits && (movesA || movesB) ? side : -1;
+    }
+
+    private boolean isOneOfParts(int c) {
+        return colliders.isChild(c) && colliders.hasParts(colliders.body[c]);
     }
 
     private int touching(int entry) {
@@ -243,7 +249,7 @@ public final class SeamStage implements Stateful {
             return;
         }
         member[firstMember[g] + size[g]++] = entry;
-        if (colliders.isChild(m)) {
+        if (isOneOfParts(m)) {
             // parts of one body say the same
             int part = firstPart[g];
             base[part] = Math.min(base[part], other(entry));
@@ -266,7 +272,7 @@ public final class SeamStage implements Stateful {
         room = 0;
         for (int i = 0; i < all; i++) {
             int m = touched[i];
-            if (!colliders.isChild(m)) {
+            if (!isOneOfParts(m)) {
                 open(m, groups, 2);
                 continue;
             }
@@ -344,7 +350,7 @@ public final class SeamStage implements Stateful {
         int end = Blocks.end(block, GROUPS_PER_BLOCK, groups);
         for (int g = Blocks.begin(block, GROUPS_PER_BLOCK); g < end; g++) {
             p.begin(collider[g], member, firstMember[g], size[g], reach);
-            p.stand(colliders.isChild(collider[g]) ? base[firstPart[g]] : ColliderStore.NONE);
+            p.stand(isOneOfParts(collider[g]) ? base[firstPart[g]] : ColliderStore.NONE);
             p.remember(last, last.count(collider[g], tick - 1));
             rows[g] = p.join(contacts.count + firstRow[g], firstRow[g], firstHeld, held);
         }
