@@ -37,13 +37,14 @@ import java.util.Map;
         description = {
             "The scenes of Cairn. Without options: a window with all scenes where there is a"
                     + " display;",
-            "otherwise all scenes without a window, a table of results, and a picture of each in"
-                    + " ./pictures."
+            "otherwise the scenes of the report of 2020 without a window, a table of results, and a"
+                    + " picture of each in ./pictures."
         },
         footer = {
             "",
             "Examples:",
             "  samples --list",
+            "  samples --headless --scene all",
             "  samples --scene slope-box --set friction=0.2",
             "  samples --headless --scene pyramid --set base=100 --workers 2 --json -",
             "  samples --headless --obj rock.obj --picture rock.png --at 120",
@@ -85,7 +86,9 @@ public final class Main {
     @Option(
             names = "--scene",
             paramLabel = "ID",
-            description = "Scene to run; repeat it, or separate by commas.")
+            description =
+                    "Scene to run; repeat it, or separate by commas; all for all of them, report"
+                            + " for those that run if none is named.")
     List<String> scenes = new ArrayList<>();
 
     @Option(

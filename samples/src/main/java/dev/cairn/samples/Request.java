@@ -14,7 +14,6 @@ import org.jspecify.annotations.Nullable;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -121,7 +120,7 @@ record Request(
         SceneFile described = held != null || file == null ? held : read(file);
         List<SampleScene> scenes =
                 file == null || described == null
-                        ? scenes(typed.scenes, obj)
+                        ? scenes(typed.scenes, obj, mode(typed))
                         : List.of(SceneLoader.sample(file, described));
         Map<String, SceneOptions> options =
                 options(scenes, settings(typed.settings), seed(typed.seed), obj);
@@ -165,7 +164,7 @@ record Request(
                 picture,
                 at,
                 sheet != null
-                        || (typed.scenes.isEmpty()
+                        || (isGroup(typed.scenes)
                                 && file == null
                                 && obj == null
                                 && typed.json == null),
@@ -175,6 +174,12 @@ record Request(
                 export,
                 file,
                 described);
+    }
+
+    /** Whether no scene was named, but all or those of the report. */
+    private static boolean isGroup(List<String> typed) {
+        return typed.stream()
+                .allMatch(t -> t.equals(SceneRegistry.ALL) || t.equals(SceneRegistry.REPORT));
     }
 
     private static int lanes(@Nullable String text) {
@@ -350,29 +355,37 @@ record Request(
         OutputFile.checkPng("--animation", animation);
     }
 
-    private static List<SampleScene> scenes(List<String> typed, @Nullable Path obj) {
+    private static List<SampleScene> scenes(List<String> typed, @Nullable Path obj, Mode mode) {
         if (typed.isEmpty()) {
-            return obj == null ? SceneRegistry.all() : List.of(SceneRegistry.get(OBJ_SCENE));
+            if (obj != null) {
+                return List.of(SceneRegistry.get(OBJ_SCENE));
+            }
+            boolean runs = mode == Mode.HEADLESS || mode == Mode.EITHER;
+            return runs ? SceneRegistry.report() : SceneRegistry.all();
         }
         LinkedHashSet<String> ids = new LinkedHashSet<>();
         for (String text : typed) {
             Collections.addAll(ids, text.split(",", -1));
         }
-        List<SampleScene> scenes = new ArrayList<>();
+        LinkedHashSet<SampleScene> scenes = new LinkedHashSet<>();
         for (String id : ids) {
             if (id.isBlank()) {
                 throw new UsageException(
                         "--scene: a name is empty; want --scene ID or --scene ID,ID; --list shows"
                                 + " all");
             }
-            scenes.add(SceneRegistry.get(id.trim()));
+            switch (id.trim()) {
+                case SceneRegistry.ALL -> scenes.addAll(SceneRegistry.all());
+                case SceneRegistry.REPORT -> scenes.addAll(SceneRegistry.report());
+                default -> scenes.add(SceneRegistry.get(id.trim()));
+            }
         }
         if (obj != null && scenes.stream().noneMatch(scene -> scene.id().equals(OBJ_SCENE))) {
             throw new UsageException(
                     "--obj %s: only scene %s takes a mesh; add --scene %s"
                             .formatted(obj, OBJ_SCENE, OBJ_SCENE));
         }
-        return scenes;
+        return List.copyOf(scenes);
     }
 
     private static Map<String, String> settings(List<String> typed) {

@@ -130,7 +130,9 @@ final class Runner {
                         request.sleepingOr(true),
                         out);
         // Nothing was chosen: begin with a spectacle.
-        boolean any = request.scenes().size() == SceneRegistry.all().size();
+        boolean any =
+                request.scenes().equals(SceneRegistry.all())
+                        || request.scenes().equals(SceneRegistry.report());
         window.beginWith(any ? SceneRegistry.get("junkyard") : request.scenes().get(0));
         window.step(request.stepSeconds());
         window.settings(

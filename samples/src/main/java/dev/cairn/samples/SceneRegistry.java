@@ -136,6 +136,12 @@ public final class SceneRegistry {
                     BulletStack.scene(),
                     BrickWall.scene());
 
+    /** Scenes of the report of 2020, which come first, and the pyramid. */
+    private static final int REPORTED = 9;
+
+    /** What {@code --scene} takes beside ids: all scenes, and those of the report. */
+    public static final String ALL = "all", REPORT = "report";
+
     private SceneRegistry() {}
 
     /**
@@ -145,6 +151,15 @@ public final class SceneRegistry {
      */
     public static List<SampleScene> all() {
         return SCENES;
+    }
+
+    /**
+     * The scenes that run without a window if none is named: a minute with pictures.
+     *
+     * @return an immutable list
+     */
+    public static List<SampleScene> report() {
+        return SCENES.subList(0, REPORTED);
     }
 
     /**

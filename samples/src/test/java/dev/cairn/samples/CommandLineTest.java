@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -62,6 +63,7 @@ class CommandLineTest {
                 "--scene pyramid --set base=NaN | whole number from 1 to 400",
                 "--scene pyramid --set base     | name=value",
                 "--set nosuch=1                 | --list shows all",
+                "--set base=5                   | of which scene?",
                 "--scene pyramid --set base=3 --set base=4 | set it once",
                 "--obj no/such/file.obj         | there is no such file",
                 "--at 5                         | --picture",
@@ -218,5 +220,15 @@ class CommandLineTest {
         Answer answer = samples("--scene", "stack-4", "--ticks", "0");
         assertEquals(0, answer.code, answer.err);
         assertTrue(answer.out.contains("stack-4"), answer.out);
+    }
+
+    /** Who names no scene waits for a few; a group is no scene twice. */
+    @ParameterizedTest
+    @ValueSource(strings = {"", "--scene report ", "--scene room,report,room "})
+    void theScenesOfTheReportRunIfNoneIsNamed(String named) {
+        Answer answer = samples((named + "--ticks 0 --json -").split(" "));
+        assertEquals(0, answer.code, answer.err);
+        JsonArray runs = JsonParser.parseString(answer.out).getAsJsonArray();
+        assertEquals(SceneRegistry.report().size(), runs.size());
     }
 }
