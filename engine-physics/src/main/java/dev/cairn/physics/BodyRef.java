@@ -4,6 +4,7 @@ import dev.cairn.core.state.StateCodec;
 import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.body.Lock;
+import dev.cairn.physics.body.Pushed;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.shape.Shape;
@@ -26,7 +27,7 @@ import java.util.List;
  * add up and act over the whole next step, then are cleared; impulses act at once. On fixed bodies
  * forces and impulses have no effect.
  */
-public final class BodyRef extends BodyState {
+public final class BodyRef extends BodyState implements Pushed {
     /** In bytes a reference is a name and a place; a world makes its own of it. */
     static final StateCodec<BodyRef> CODEC =
             StateCodec.of(
@@ -48,140 +49,34 @@ public final class BodyRef extends BodyState {
         return new BodyRef(null, slot, entity, name);
     }
 
-    /**
-     * Pushes at the centre of mass during the next step.
-     *
-     * @param fx N, finite
-     * @param fy N, finite
-     * @param fz N, finite
-     */
+    @Override
     public void applyForce(double fx, double fy, double fz) {
         table.pushes.applyForce(changed("applyForce"), fx, fy, fz);
     }
 
-    /**
-     * Pushes at the centre of mass during the next step.
-     *
-     * @param force N, finite
-     */
-    public void applyForce(Vector3dc force) {
-        Checks.notNull("force", force);
-        applyForce(force.x(), force.y(), force.z());
-    }
-
-    /**
-     * Pushes at a point during the next step.
-     *
-     * @param fx N, finite
-     * @param fy N, finite
-     * @param fz N, finite
-     * @param px point, world, m, finite
-     * @param py point, world, m, finite
-     * @param pz point, world, m, finite
-     */
+    @Override
     public void applyForceAt(double fx, double fy, double fz, double px, double py, double pz) {
         table.pushes.applyForceAt(changed("applyForceAt"), fx, fy, fz, px, py, pz);
     }
 
-    /**
-     * Pushes at a point during the next step.
-     *
-     * @param force N, finite
-     * @param point world, m, finite
-     */
-    public void applyForceAt(Vector3dc force, Vector3dc point) {
-        Checks.notNull("force", force);
-        Checks.notNull("point", point);
-        applyForceAt(force.x(), force.y(), force.z(), point.x(), point.y(), point.z());
-    }
-
-    /**
-     * Turns during the next step.
-     *
-     * @param tx N m, finite
-     * @param ty N m, finite
-     * @param tz N m, finite
-     */
+    @Override
     public void applyTorque(double tx, double ty, double tz) {
         table.pushes.applyTorque(changed("applyTorque"), tx, ty, tz);
     }
 
-    /**
-     * Turns during the next step.
-     *
-     * @param torque N m, finite
-     */
-    public void applyTorque(Vector3dc torque) {
-        Checks.notNull("torque", torque);
-        applyTorque(torque.x(), torque.y(), torque.z());
-    }
-
-    /**
-     * Changes the velocity at once.
-     *
-     * @param jx impulse at the centre of mass, N s, finite
-     * @param jy N s, finite
-     * @param jz N s, finite
-     */
+    @Override
     public void applyImpulse(double jx, double jy, double jz) {
         table.pushes.applyImpulse(changed("applyImpulse"), jx, jy, jz);
     }
 
-    /**
-     * Changes the velocity at once.
-     *
-     * @param impulse at the centre of mass, N s, finite
-     */
-    public void applyImpulse(Vector3dc impulse) {
-        Checks.notNull("impulse", impulse);
-        applyImpulse(impulse.x(), impulse.y(), impulse.z());
-    }
-
-    /**
-     * Changes velocity and angular velocity at once.
-     *
-     * @param jx impulse, N s, finite
-     * @param jy N s, finite
-     * @param jz N s, finite
-     * @param px point that it acts at, world, m, finite
-     * @param py point, world, m, finite
-     * @param pz point, world, m, finite
-     */
+    @Override
     public void applyImpulseAt(double jx, double jy, double jz, double px, double py, double pz) {
         table.pushes.applyImpulseAt(changed("applyImpulseAt"), jx, jy, jz, px, py, pz);
     }
 
-    /**
-     * Changes velocity and angular velocity at once.
-     *
-     * @param impulse N s, finite
-     * @param point that it acts at, world, m, finite
-     */
-    public void applyImpulseAt(Vector3dc impulse, Vector3dc point) {
-        Checks.notNull("impulse", impulse);
-        Checks.notNull("point", point);
-        applyImpulseAt(impulse.x(), impulse.y(), impulse.z(), point.x(), point.y(), point.z());
-    }
-
-    /**
-     * Changes the angular velocity at once.
-     *
-     * @param lx angular impulse, N m s, finite
-     * @param ly N m s, finite
-     * @param lz N m s, finite
-     */
+    @Override
     public void applyAngularImpulse(double lx, double ly, double lz) {
         table.pushes.applyAngularImpulse(changed("applyAngularImpulse"), lx, ly, lz);
-    }
-
-    /**
-     * Changes the angular velocity at once.
-     *
-     * @param impulse N m s, finite
-     */
-    public void applyAngularImpulse(Vector3dc impulse) {
-        Checks.notNull("impulse", impulse);
-        applyAngularImpulse(impulse.x(), impulse.y(), impulse.z());
     }
 
     /**
