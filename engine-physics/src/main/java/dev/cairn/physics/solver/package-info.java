@@ -9,7 +9,8 @@
  *
  * <pre>
  *   collect ─ contacts with points get a batch, a colour and a place; bodies without any fly at once
- *   load    ─ what rests under a load is solved with that load's inertia, while it rests
+ *   load    ─ what rests under a load is solved with that load's inertia, while it rests, see
+ *             {@code Supports}
  *   prepare ─ weighted arms, effective masses, friction block; the bodies' first warm start
  *   start   ─ once, for what is put up at rest: impulses that hold it, before anything moves
  *   sub-step, four times:
