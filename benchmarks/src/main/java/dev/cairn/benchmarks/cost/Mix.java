@@ -110,66 +110,25 @@ record Mix(
 
     /** The same with rolling friction. */
     Mix withRollingArm(double metres) {
-        return new Mix(
-                flyingSpheres,
-                flyingBoxes,
-                nearPairs,
-                restingSpheres,
-                restingCubes,
-                edgeCubes,
-                columns,
-                bouncing,
-                fixed,
-                friction,
-                bounceHeight,
-                metres,
-                restitution,
-                filtered,
-                rods);
+        return with(metres, restitution, filtered, rods);
     }
 
     /** The same with another restitution. */
     Mix withRestitution(double ratio) {
-        return new Mix(
-                flyingSpheres,
-                flyingBoxes,
-                nearPairs,
-                restingSpheres,
-                restingCubes,
-                edgeCubes,
-                columns,
-                bouncing,
-                fixed,
-                friction,
-                bounceHeight,
-                rollingArm,
-                ratio,
-                filtered,
-                rods);
+        return with(rollingArm, ratio, filtered, rods);
     }
 
     /** The same with a filter on each body. */
     Mix withFilters() {
-        return new Mix(
-                flyingSpheres,
-                flyingBoxes,
-                nearPairs,
-                restingSpheres,
-                restingCubes,
-                edgeCubes,
-                columns,
-                bouncing,
-                fixed,
-                friction,
-                bounceHeight,
-                rollingArm,
-                restitution,
-                true,
-                rods);
+        return with(rollingArm, restitution, true, rods);
     }
 
     /** The same with rods. */
     Mix withRods(int count) {
+        return with(rollingArm, restitution, filtered, count);
+    }
+
+    private Mix with(double arm, double ratio, boolean filters, int joints) {
         return new Mix(
                 flyingSpheres,
                 flyingBoxes,
@@ -182,10 +141,10 @@ record Mix(
                 fixed,
                 friction,
                 bounceHeight,
-                rollingArm,
-                restitution,
-                filtered,
-                count);
+                arm,
+                ratio,
+                filters,
+                joints);
     }
 
     /**

@@ -6,6 +6,7 @@ import static org.lwjgl.opengl.GL11.GL_CULL_FACE;
 import static org.lwjgl.opengl.GL11.GL_DEPTH_BUFFER_BIT;
 import static org.lwjgl.opengl.GL11.GL_DEPTH_TEST;
 import static org.lwjgl.opengl.GL11.GL_LEQUAL;
+import static org.lwjgl.opengl.GL11.GL_NEAREST;
 import static org.lwjgl.opengl.GL11.GL_TRIANGLES;
 import static org.lwjgl.opengl.GL11.glClear;
 import static org.lwjgl.opengl.GL11.glClearColor;
@@ -14,6 +15,7 @@ import static org.lwjgl.opengl.GL11.glDepthFunc;
 import static org.lwjgl.opengl.GL11.glDrawArrays;
 import static org.lwjgl.opengl.GL11.glEnable;
 import static org.lwjgl.opengl.GL11.glViewport;
+import static org.lwjgl.opengl.GL12.GL_CLAMP_TO_EDGE;
 import static org.lwjgl.opengl.GL13.GL_TEXTURE0;
 import static org.lwjgl.opengl.GL13.GL_TEXTURE1;
 import static org.lwjgl.opengl.GL13.glActiveTexture;
@@ -39,7 +41,10 @@ public final class SceneRenderer implements AutoCloseable {
     private final boolean frugal;
     private Effects effects;
     private Programs programs;
-    private @Nullable DepthMap depthMap;
+
+    /** Depth of the scene as the camera sees it, for what looks around a pixel. */
+    private @Nullable DepthPass depthMap;
+
     private final int emptyVertexArray = GlObjects.vertexArray();
     private final Instances instances = new Instances();
     private final Pass pass = new Pass(instances, false);
@@ -115,7 +120,7 @@ public final class SceneRenderer implements AutoCloseable {
                 .rotateY(camera.yaw())
                 .translate(-eye.x, -eye.y, -eye.z);
         pass.cull(clipFromAnchored);
-        DepthMap depth = effects.occlusion() ? depthMap(target) : null;
+        DepthPass depth = effects.occlusion() ? depthMap(target) : null;
         if (depth != null) {
             depth.draw(pass, alpha, clipFromAnchored);
         }
@@ -165,14 +170,16 @@ public final class SceneRenderer implements AutoCloseable {
         return map;
     }
 
-    private DepthMap depthMap(FrameTarget target) {
-        DepthMap map = depthMap;
-        if (map == null || !map.isOf(target)) {
+    private DepthPass depthMap(FrameTarget target) {
+        DepthPass map = depthMap;
+        if (map == null || map.width != target.width() || map.height != target.height()) {
             if (map != null) {
                 map.close();
             }
             glActiveTexture(GL_TEXTURE0 + SceneUniforms.SCENE_DEPTH);
-            map = new DepthMap(target.width(), target.height());
+            map =
+                    new DepthPass(
+                            "depth", target.width(), target.height(), GL_NEAREST, GL_CLAMP_TO_EDGE);
             depthMap = map;
         }
         return map;

@@ -3,14 +3,9 @@ package dev.cairn.samples.sandbox;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.samples.Main;
-
 import org.junit.jupiter.api.Test;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
@@ -38,13 +33,7 @@ class RecordWindowTest extends WindowFixture {
         type("key", "b");
         await("a ball", seen -> seen.number("bodies") == 6);
         await("60 ticks", seen -> seen.number("tick") >= 60);
-        moveTo(512, 340);
-        type("mousedown", "1");
-        Seen pulling = await("a body in the hand", seen -> seen.flag("pulling"));
-        moveTo(560, 300);
-        await("pulls", seen -> seen.number("tick") > pulling.number("tick") + 30);
-        type("mouseup", "1");
-        await("it to be let go", seen -> !seen.flag("pulling"));
+        pullTheMiddle();
         type("key", "comma");
         await("the pause", seen -> seen.flag("paused"));
         type("key", "comma", "comma", "comma");
@@ -63,12 +52,7 @@ class RecordWindowTest extends WindowFixture {
         assertEquals(0, ended());
         Path run = folder.resolve(SandboxProbe.RUN);
         assertTrue(Files.size(run) > 1000, "nothing is in " + run);
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        PrintStream both = new PrintStream(out, true, StandardCharsets.UTF_8);
-        String[] arguments = {"--replay", run.toString(), "--workers", "2", "--lanes", "4"};
-        assertEquals(0, Main.run(arguments, both, both, false), out::toString);
-        String told = out.toString(StandardCharsets.UTF_8);
-        assertTrue(told.contains(end.values().get("digest")), end + " against " + told);
+        String told = plays(run, end);
         assertTrue(told.contains("%.0f ticks from tick 0".formatted(end.number("tick"))), told);
     }
 }

@@ -138,14 +138,7 @@ class TimeBarTest extends WindowFixture {
         type("key", "b");
         Seen ball = await("a ball", seen -> seen.number("bodies") == 6);
         await("ticks", seen -> seen.number("tick") > ball.number("tick") + 20);
-        // The hand takes what is in the middle of the window, and moves.
-        moveTo(512, 340);
-        type("mousedown", "1");
-        Seen pulling = await("a body in the hand", seen -> seen.flag("pulling"));
-        moveTo(560, 300);
-        await("pulls", seen -> seen.number("tick") > pulling.number("tick") + 30);
-        type("mouseup", "1");
-        await("it to be let go", seen -> !seen.flag("pulling"));
+        pullTheMiddle();
         // Some ticks back, and another future.
         type("key", "comma", "comma", "comma");
         Seen back = await("ticks back", seen -> seen.number("newest") == seen.number("tick") + 3);
@@ -163,11 +156,6 @@ class TimeBarTest extends WindowFixture {
         await("the notice", seen -> seen.values().containsKey("NoticeX"));
         look("report");
         assertTrue(Files.exists(file), file.toString());
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        PrintStream both = new PrintStream(out, true, StandardCharsets.UTF_8);
-        String[] arguments = {"--replay", file.toString(), "--workers", "2", "--lanes", "4"};
-        assertEquals(0, Main.run(arguments, both, both, false), out::toString);
-        String told = out.toString(StandardCharsets.UTF_8);
-        assertTrue(told.contains(end.values().get("digest")), end + " against " + told);
+        plays(file, end);
     }
 }

@@ -1,10 +1,12 @@
 package dev.cairn.samples.sandbox;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.Main;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -13,9 +15,11 @@ import org.opentest4j.TestAbortedException;
 
 import java.awt.image.BufferedImage;
 import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStreamReader;
+import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -356,5 +360,27 @@ abstract class WindowFixture {
     Seen now() throws IOException, InterruptedException {
         lines.clear();
         return await("a frame", seen -> true);
+    }
+
+    /** The hand takes what is in the middle of the window, moves it for half a second, lets go. */
+    final void pullTheMiddle() throws IOException, InterruptedException {
+        moveTo(512, 340);
+        type("mousedown", "1");
+        Seen pulling = await("a body in the hand", seen -> seen.flag("pulling"));
+        moveTo(560, 300);
+        await("pulls", seen -> seen.number("tick") > pulling.number("tick") + 30);
+        type("mouseup", "1");
+        await("it to be let go", seen -> !seen.flag("pulling"));
+    }
+
+    /** What is played from a file, by other workers and lanes, ends in the world that was seen. */
+    static String plays(Path run, Seen end) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        PrintStream both = new PrintStream(out, true, StandardCharsets.UTF_8);
+        String[] arguments = {"--replay", run.toString(), "--workers", "2", "--lanes", "4"};
+        assertEquals(0, Main.run(arguments, both, both, false), out::toString);
+        String told = out.toString(StandardCharsets.UTF_8);
+        assertTrue(told.contains(end.values().get("digest")), end + " against " + told);
+        return told;
     }
 }

@@ -2,7 +2,6 @@ package dev.cairn.render.gl;
 
 import static org.lwjgl.opengl.GL11.GL_DEPTH_BUFFER_BIT;
 import static org.lwjgl.opengl.GL11.GL_DEPTH_COMPONENT;
-import static org.lwjgl.opengl.GL11.GL_NEAREST;
 import static org.lwjgl.opengl.GL11.GL_NONE;
 import static org.lwjgl.opengl.GL11.GL_TEXTURE_2D;
 import static org.lwjgl.opengl.GL11.GL_TEXTURE_MAG_FILTER;
@@ -17,7 +16,6 @@ import static org.lwjgl.opengl.GL11.glReadBuffer;
 import static org.lwjgl.opengl.GL11.glTexImage2D;
 import static org.lwjgl.opengl.GL11.glTexParameteri;
 import static org.lwjgl.opengl.GL11.glViewport;
-import static org.lwjgl.opengl.GL12.GL_CLAMP_TO_EDGE;
 import static org.lwjgl.opengl.GL14.GL_DEPTH_COMPONENT24;
 import static org.lwjgl.opengl.GL30.GL_DEPTH_ATTACHMENT;
 import static org.lwjgl.opengl.GL30.GL_FRAMEBUFFER;
@@ -27,20 +25,26 @@ import static org.lwjgl.opengl.GL30.glFramebufferTexture2D;
 import org.joml.Matrix4d;
 import org.lwjgl.system.MemoryUtil;
 
-/**
- * Depth of the scene as the camera sees it, one number per pixel, for what looks around a pixel.
- */
-final class DepthMap implements AutoCloseable {
-    private final int width;
-    private final int height;
+/** Draws the depth of models into a texture, without colours. GL thread. */
+final class DepthPass implements AutoCloseable {
+    final int width;
+    final int height;
     private final int framebuffer;
     private final int texture;
     private final ShaderProgram program;
     private final int matrixUniform;
     private final int alphaUniform;
 
-    /** An empty map; the texture unit that is active is bound to it. */
-    DepthMap(int width, int height) {
+    /**
+     * An empty texture; the texture unit that is active is bound to it.
+     *
+     * @param name of the program in messages
+     * @param width texels
+     * @param height texels
+     * @param filter between texels, {@code GL_NEAREST} or {@code GL_LINEAR}
+     * @param wrap beyond the edge
+     */
+    DepthPass(String name, int width, int height, int filter, int wrap) {
         this.width = width;
         this.height = height;
         texture = GlObjects.texture();
@@ -55,10 +59,10 @@ final class DepthMap implements AutoCloseable {
                 GL_DEPTH_COMPONENT,
                 GL_UNSIGNED_INT,
                 MemoryUtil.NULL);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
         framebuffer = GlObjects.framebuffer();
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
@@ -66,7 +70,7 @@ final class DepthMap implements AutoCloseable {
         glReadBuffer(GL_NONE);
         program =
                 new ShaderProgram(
-                        "depth",
+                        name,
                         "",
                         new String[] {"instance.glsl", "shadow.vert"},
                         new String[] {"shadow.frag"});
@@ -77,11 +81,12 @@ final class DepthMap implements AutoCloseable {
         ShaderProgram.set(program.uniform("look"), 3);
     }
 
-    boolean isOf(FrameTarget target) {
-        return width == target.width() && height == target.height();
-    }
-
-    /** Draws what a pass sees. */
+    /**
+     * Draws what a pass sees.
+     *
+     * @param alpha interpolation
+     * @param clipFromAnchored where it is seen from
+     */
     void draw(Pass pass, double alpha, Matrix4d clipFromAnchored) {
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glViewport(0, 0, width, height);
