@@ -72,17 +72,10 @@ public final class Assembly {
     /** For how many it will be if that fails again. */
     int patience = 1;
 
-    /** Whether it has an account, and whether that is loose, as motors or springs give energy. */
-    boolean isGuarded;
-
+    /** Whether a motor or a spring acts in it. */
     boolean isDriven;
 
-    /** What they have given in the sub-step, J. */
-    double given;
-
-    /**
-     * Whether it has a sharp account; that, and what it is measured by, J; see {@link JointEnergy}.
-     */
+    /** Whether it has an account; that, and what it is measured by, J; see {@link JointEnergy}. */
     boolean keeps;
 
     double account;

@@ -22,9 +22,6 @@ abstract class HoldingRows extends AssemblyEquations {
     /** Changes so far. */
     int changes;
 
-    /** Whether limits are met by the present trial. */
-    boolean meets;
-
     /**
      * Who holds at first: limits as they were, motors and springs unless they were at their most.
      */
@@ -92,7 +89,7 @@ abstract class HoldingRows extends AssemblyEquations {
         double high = start - store.upper[row] > tiny ? start : store.upper[row];
         int side = s.now[r] < low ? -1 : s.now[r] > high ? 1 : 0;
         if (!s.isActive[r]) {
-            if (side == 0 || !meets) {
+            if (side == 0) {
                 return false;
             }
             store.held[row] = (byte) side;

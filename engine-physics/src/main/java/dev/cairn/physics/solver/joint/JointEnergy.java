@@ -27,10 +27,8 @@ import dev.cairn.physics.solver.body.SolverContext;
  * see nothing of u, and of the rest they see the same as before, 0; momentum and angular momentum
  * stay.
  *
- * <p>Springs count with the energy that they store, and a motor may give its impulse times the
- * speed that it wants, as it brakes beyond that. That is no sharp account, so {@link #LOOSELY} k is
- * left alone there: it is to stop what explodes. Assemblies with torques or a kinematic partner
- * have none. One worker at a time. Does not allocate. Source: own study.
+ * <p>Assemblies with motors, springs, torques or a kinematic partner are given energy and have no
+ * account. One worker at a time. Does not allocate. Source: own study.
  */
 final class JointEnergy {
     /** Of k: what an account may hold, and what it may owe. */
@@ -38,27 +36,13 @@ final class JointEnergy {
 
     private static final double CREDIT = 1e-3;
 
-    /** The first with motors or springs. */
-    private static final double LOOSELY = 0.05;
-
     /** What is left of k after a sub-step without motion. */
     private static final double FADES = 0.999;
 
     private final InnerMotion inner = new InnerMotion();
 
-    /** Opens the account of an assembly for a tick, if it has one. */
-    static void open(SolverContext tick, JointStore store, Assembly s) {
-        s.isGuarded = isGuarded(tick, store, s);
-        s.isDriven = false;
-        for (int j : s.joint) {
-            for (int r = store.firstRow[j]; r < store.firstRow[j] + store.rows[j]; r++) {
-                s.isDriven |= store.role[r] >= JointStore.MOTOR;
-            }
-        }
-        s.keeps = s.isGuarded && !s.isDriven;
-    }
-
-    private static boolean isGuarded(SolverContext tick, JointStore store, Assembly s) {
+    /** Whether an assembly has an account in this tick. */
+    static boolean keeps(SolverContext tick, JointStore store, Assembly s) {
         BodyStore b = tick.bodies;
         for (int i : s.body) {
             if (b.torqueX[i] != 0 || b.torqueY[i] != 0 || b.torqueZ[i] != 0) {
@@ -70,6 +54,11 @@ final class JointEnergy {
             if (b.kind[store.bodyA[j]] == BodyStore.KINEMATIC
                     || b.kind[store.bodyB[j]] == BodyStore.KINEMATIC) {
                 return false;
+            }
+            for (int r = store.firstRow[j]; r < store.firstRow[j] + store.rows[j]; r++) {
+                if (store.role[r] >= JointStore.MOTOR) {
+                    return false;
+                }
             }
         }
         return true;
@@ -149,18 +138,14 @@ final class JointEnergy {
      */
     void settle(SolverContext tick, Assembly s, boolean touches) {
         double k = kinetic(tick, s);
-        double gain = k + potential(tick, s) - s.energy - s.given;
-        gain -= touches ? Math.max(0, s.pushed) : 0;
+        s.level = Math.max(FADES * s.level, k);
+        double gain = k + potential(tick, s) - s.energy - (touches ? Math.max(0, s.pushed) : 0);
         s.account = Math.max(s.account + gain, -CREDIT * s.level);
-        // what came from nothing is no measure of itself
-        double level = Math.max(FADES * s.level, Math.min(k, s.level + Math.max(0, k - gain)));
-        double excess = s.account - (s.isDriven ? LOOSELY : ALLOWED) * level;
+        double excess = s.account - ALLOWED * s.level;
         if (excess > 0 && k > 0) {
             boolean floats = !touches && !s.isGrounded;
             s.account -= floats ? inner.cut(tick, s, excess, k) : cut(tick, s, excess, k);
-            k = Math.min(k, level);
         }
-        s.level = Math.max(level, k);
     }
 
     private static double cut(SolverContext tick, Assembly s, double excess, double k) {

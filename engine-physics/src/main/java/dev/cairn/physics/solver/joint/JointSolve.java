@@ -55,11 +55,6 @@ public final class JointSolve extends PositionTrial {
      */
     private static final double ALMOST = 1e-7;
 
-    /** Up to this a trial tells which limits are met; how many may be worse before they are. */
-    private static final double TELLS = 1e-3;
-
-    private static final int TRIALS = 3;
-
     /** A joint is closed to this share of its bodies' size, or rad. */
     private static final double CLOSED = 1e-13;
 
@@ -115,16 +110,14 @@ public final class JointSolve extends PositionTrial {
 
     /** A sub-step with contacts begins: bodies have got their weight. */
     public void account(SubStep sub) {
-        if (s.isGuarded) {
+        if (s.keeps) {
             JointEnergy.begin(tick, s, sub.seconds);
-            begin();
         }
     }
 
     /** A sub-step with contacts ends. */
     public void settle() {
-        if (s.isGuarded) {
-            settle(s.parts);
+        if (s.keeps) {
             energy.settle(tick, s, true);
         }
     }
@@ -132,7 +125,8 @@ public final class JointSolve extends PositionTrial {
     /** Begin of a tick: bodies may be elsewhere, and weigh otherwise. */
     public void begin(SubStep sub) {
         s.isFresh = false;
-        JointEnergy.open(tick, store, s);
+        s.keeps = JointEnergy.keeps(tick, store, s);
+        findDrives();
         double quick = sub.seconds * tension.quickest(tick, store, s);
         s.parts = Swing.parts(s, quick);
     }
@@ -204,8 +198,6 @@ public final class JointSolve extends PositionTrial {
             if (!s.isRigid) {
                 restore();
             }
-            // a limit is met by where the bodies come to, not by where a trial has led
-            meets = s.isRigid || round > TRIALS || open() <= TELLS;
             boolean changed = !s.isRigid && asks && hold(round);
             asks = s.isRigid || !changed || !isFirm();
             if (!asks) {

@@ -18,8 +18,18 @@ abstract class JointWork extends ContactCoupling {
      */
     static final double GAIN = 1.05;
 
+    /** Begin of a tick: whether a motor or a spring acts. */
+    void findDrives() {
+        s.isDriven = false;
+        for (int j : s.joint) {
+            for (int r = store.firstRow[j]; r < store.firstRow[j] + store.rows[j]; r++) {
+                s.isDriven |= store.role[r] >= JointStore.MOTOR;
+            }
+        }
+    }
+
     /** Energy of all springs, J: {@code k x²/2} up to where their force ends, then straight on. */
-    double stored() {
+    private double stored() {
         derive();
         double sum = 0;
         for (int k = 0; k < s.joint.length; k++) {
@@ -58,7 +68,7 @@ abstract class JointWork extends ContactCoupling {
         System.arraycopy(s.firstImpulse, 0, s.impulse, 0, s.impulse.length);
     }
 
-    /** Makes them those of now, where motors or springs act. */
+    /** Makes them those of now, where limits, motors or springs act. */
     void takeBack() {
         if (s.isRigid) {
             return;
@@ -91,29 +101,5 @@ abstract class JointWork extends ContactCoupling {
             }
         }
         return s.isDriven ? 2 * (sum + stored()) : 0;
-    }
-
-    /** A sub-step begins: what springs store. */
-    void begin() {
-        s.given = s.isDriven ? stored() : 0;
-    }
-
-    /**
-     * It ends: what springs and motors have given.
-     *
-     * @param parts that it was cut into; impulses are those of the last one
-     */
-    void settle(int parts) {
-        s.given -= s.isDriven ? stored() : 0;
-        for (int k = 0; k < s.joint.length && s.isDriven; k++) {
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                int row = row(k, r);
-                if (store.role[row] == JointStore.MOTOR) {
-                    double sum = Math.abs(store.before[row]) + Math.abs(store.after[row]);
-                    sum = Math.min(sum, 2 * bound(row));
-                    s.given += parts * sum * Math.abs(store.target[row]);
-                }
-            }
-        }
     }
 }

@@ -69,22 +69,6 @@ abstract class PositionTrial extends VelocityHalf {
         }
     }
 
-    /** The worst of what equations lack, over its size. */
-    double open() {
-        double worst = 0;
-        for (int k = 0; k < s.joint.length; k++) {
-            double size = size(k);
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                if (s.isActive[r]) {
-                    double m = miss(r, row(k, r));
-                    boolean isAngle = JointMath.isAngle(store.law[row(k, r)]);
-                    worst = Math.max(worst, Math.abs(isAngle ? m : m / size));
-                }
-            }
-        }
-        return worst;
-    }
-
     /** Writes what is missing over h to {@link Assembly#now}; the worst, over its size. */
     double residuals() {
         double worst = 0;
@@ -148,7 +132,6 @@ abstract class PositionTrial extends VelocityHalf {
             move();
             measure();
             restore();
-            meets = true;
             hold(round);
             residuals();
             factor(true);
@@ -188,7 +171,6 @@ abstract class PositionTrial extends VelocityHalf {
         move();
         measure();
         restore();
-        meets = true;
         for (int k = 0; k < s.joint.length && !s.isRigid; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 if (store.role[row(k, r)] == JointStore.LIMIT) {

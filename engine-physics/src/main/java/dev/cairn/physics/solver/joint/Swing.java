@@ -44,16 +44,16 @@ public final class Swing {
 
     /** Runs a tick. */
     public void run(SolverContext tick, SubStep sub, JointStore store, Assembly s) {
-        JointEnergy.open(tick, store, s);
+        s.keeps = JointEnergy.keeps(tick, store, s);
         boolean isReversible = s.isDirect && !s.isRough() && isReversible(tick.bodies, s);
         solve.open(tick, sub, store, s, isReversible ? 8 * OUTER - 1 : 1);
+        solve.findDrives();
         s.isFresh = false;
         double quick = sub.seconds * tension.quickest(tick, store, s);
         int parts = isReversible ? parts(quick, SLOW_FIVE) : parts(s, quick);
         double h = sub.seconds / parts;
         for (int k = 0; k < sub.count * parts; k++) {
             s.energy = JointEnergy.kinetic(tick, s) + JointEnergy.potential(tick, s);
-            solve.begin();
             if (isReversible) {
                 step(tick, s, OUTER * h);
                 step(tick, s, OUTER * h);
@@ -63,8 +63,7 @@ public final class Swing {
             } else {
                 step(tick, s, h);
             }
-            if (s.isGuarded) {
-                solve.settle(1);
+            if (s.keeps) {
                 energy.settle(tick, s, false);
             }
         }

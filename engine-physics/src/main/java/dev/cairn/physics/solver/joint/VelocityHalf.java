@@ -15,7 +15,7 @@ abstract class VelocityHalf extends JointWork {
 
     /** Sweeps of contacts begin, or end. */
     public void sweeps(boolean end) {
-        if (s.isGuarded) {
+        if (s.keeps) {
             JointEnergy.sweeps(tick, s, end);
         }
     }
@@ -66,7 +66,7 @@ abstract class VelocityHalf extends JointWork {
     void velocity(double seconds, boolean counts) {
         h = seconds;
         close();
-        halt();
+        stop();
         if (counts) {
             relieve(false);
             end();
@@ -81,7 +81,7 @@ abstract class VelocityHalf extends JointWork {
     public void velocity(SubStep sub, boolean counts, ConstraintRows rows) {
         h = sub.seconds;
         close();
-        halt();
+        stop();
         if (stands(rows, sub, false)) {
             stop();
         }
@@ -89,20 +89,6 @@ abstract class VelocityHalf extends JointWork {
         if (counts) {
             relieve(false);
             end();
-        }
-    }
-
-    /** Stops what joints do not allow; what came from nothing is taken back. */
-    private void halt() {
-        if (s.isRigid) {
-            stop();
-            return;
-        }
-        note();
-        double most = GAIN * kinetic();
-        stop();
-        if (!(kinetic() <= most + work())) {
-            takeBack();
         }
     }
 
