@@ -69,7 +69,7 @@ final class AccuracyTest {
                 "E18",
                 "F1",
                 "F2",
-                "F3:missed",
+                "F3",
                 "F5",
                 "F6",
                 "F7",

@@ -39,6 +39,7 @@ import dev.cairn.physics.state.Publisher;
 import dev.cairn.physics.state.RigidBody;
 import dev.cairn.physics.state.StageCheck;
 import dev.cairn.physics.state.StepClock;
+import dev.cairn.physics.tuning.Tunable;
 
 import org.jspecify.annotations.Nullable;
 
@@ -194,6 +195,10 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         belts.run(tick.jobs());
         table.roster.refreshLists();
         if (table.roster.dynamicCount > 0) {
+            sweeps.strike(
+                    table.broadPhase,
+                    settings.tuning().get(Tunable.RESTITUTION_THRESHOLD),
+                    hooks.get() != null);
             seams.join(tick.stepSeconds(), tick.jobs());
             patches.join(tick.jobs());
             solver.step(

@@ -131,6 +131,24 @@ public final class BoundsStage {
                                 Math.min(colliders.innerRadius[a], colliders.innerRadius[b]));
     }
 
+    /** Acceleration of a body that flies, world, m/s². */
+    double accelerationX(int body) {
+        return bodies.gravityScale[body] * gravityX
+                + bodies.inverseMass[body] * bodies.forceX[body];
+    }
+
+    /** See {@link #accelerationX}. */
+    double accelerationY(int body) {
+        return bodies.gravityScale[body] * gravityY
+                + bodies.inverseMass[body] * bodies.forceY[body];
+    }
+
+    /** See {@link #accelerationX}. */
+    double accelerationZ(int body) {
+        return bodies.gravityScale[body] * gravityZ
+                + bodies.inverseMass[body] * bodies.forceZ[body];
+    }
+
     /** Grows the columns; between phases only. */
     public void ensureSlots(int capacity) {
         if (capacity <= state.length) {

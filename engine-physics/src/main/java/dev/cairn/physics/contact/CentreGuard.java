@@ -6,6 +6,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.AabbTree;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.RayWalk;
+import dev.cairn.physics.contact.blow.BlowStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
@@ -16,6 +17,8 @@ import dev.cairn.physics.narrowphase.pair.Reach;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
 
@@ -70,6 +73,7 @@ final class CentreGuard {
     private int[] dynamic = {};
     private int dynamicCount;
     private double step;
+    private @Nullable BlowStage blows;
 
     /** By body slot: it was fast in this tick. */
     private boolean[] fast = {};
@@ -100,6 +104,7 @@ final class CentreGuard {
      * @param bodies slots of the dynamic bodies that were moved
      * @param state by active row, what {@link SweepStage} saw in it before the solve
      * @param isHooked whether a hook may let bodies through
+     * @param struck who was struck within the tick
      * @param stepSeconds length of the tick, s
      */
     void run(
@@ -108,8 +113,10 @@ final class CentreGuard {
             byte[] state,
             BroadPhase broadPhase,
             boolean isHooked,
+            @Nullable BlowStage struck,
             double stepSeconds,
             Jobs jobs) {
+        blows = struck;
         dynamic = bodies;
         dynamicCount = count;
         step = stepSeconds;
@@ -218,11 +225,19 @@ final class CentreGuard {
         double x = wayX(c);
         double y = wayY(c);
         double z = wayZ(c);
-        double least = FAST * colliders.innerRadius[c];
-        return x * x + y * y + z * z > least * least
-                && least > 0
-                && !colliders.sensor[c]
-                && !colliders.isPart(c);
+        double least = least(c);
+        boolean isSolid = colliders.innerRadius[c] > 0 && !colliders.sensor[c];
+        return x * x + y * y + z * z > least * least && isSolid && !colliders.isPart(c);
+    }
+
+    /** A way that is looked at is longer than this, m; any is, of who was struck. */
+    private double least(int c) {
+        return late(c) > 0 ? 0 : FAST * colliders.innerRadius[c];
+    }
+
+    /** The share of the tick after which a collider was struck last. */
+    private double late(int c) {
+        return blows == null ? 0 : blows.late(colliders.body[c]);
     }
 
     /**
@@ -376,16 +391,17 @@ final class CentreGuard {
      */
     private void keepOut(int part, int other) {
         Poses p = colliders.poses;
-        boolean moves = isDriven(colliders.body[other]);
-        double wayX = (moves ? wayX(other) : 0) - wayX(part);
-        double wayY = (moves ? wayY(other) : 0) - wayY(part);
-        double wayZ = (moves ? wayZ(other) : 0) - wayZ(part);
+        // who was struck is looked at from there on
+        double share = isDriven(colliders.body[other]) ? 1 - late(part) : 0;
+        double wayX = share * wayX(other) - wayX(part);
+        double wayY = share * wayY(other) - wayY(part);
+        double wayZ = share * wayZ(other) - wayZ(part);
         double x = p.apartX(part, other) - wayX;
         double y = p.apartY(part, other) - wayY;
         double z = p.apartZ(part, other) - wayZ;
-        double inner = colliders.innerRadius[part];
+        double least = least(part);
         double square = wayX * wayX + wayY * wayY + wayZ * wayZ;
-        if (!(square > FAST * FAST * inner * inner)) {
+        if (!(square > least * least)) {
             return;
         }
         place(surface, other, x, y, z);

@@ -4,13 +4,17 @@ import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.BroadPhase;
+import dev.cairn.physics.contact.blow.BlowStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.narrowphase.pair.Reach;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * Looks at contacts whose bodies are apart at the start of a tick and touch nothing else: along the
@@ -36,6 +40,11 @@ public final class SweepStage {
     /** Of the smaller inner radius: bodies that pass by less in a tick are not looked at. */
     private static final double FAST = 0.25;
 
+    /** The same: who passes by more is struck within the tick, see {@link BlowStage}. */
+    private static final double VERY_FAST = 1;
+
+    private static final byte TIED = 2;
+
     private static final byte TOUCHING = 0;
     static final byte HARMLESS = 1;
     private static final byte CLOSING = 2;
@@ -58,13 +67,21 @@ public final class SweepStage {
     /** How many rows of a block are closing. */
     private int[] closing = {};
 
-    /** By body: it touches somebody or is bound to somebody, so its motion is not free. */
-    private boolean[] bound = {};
+    /** By active row: when its bodies meet, s after the start of the tick; infinite if never. */
+    private double[] when = {};
+
+    /** By body: 0 if its motion is free, 1 if it touches somebody, 2 if it is bound otherwise. */
+    private byte[] bound = {};
 
     /** By body: it meets somebody within the tick. */
     private boolean[] meets = {};
 
     private SweptPair[] pairs = {};
+
+    /** Once anybody was fast. */
+    private @Nullable BlowStage blows;
+
+    private boolean any;
     private double step;
     private double reach;
 
@@ -102,15 +119,16 @@ public final class SweepStage {
         int blocks = Blocks.count(count, ROWS_PER_BLOCK);
         if (state.length < count) {
             state = new byte[contacts.bodyA.length];
+            when = new double[state.length];
             closing = new int[Blocks.count(state.length, ROWS_PER_BLOCK)];
         }
         if (bound.length < slots) {
-            bound = new boolean[slots + (slots >> 1)];
+            bound = new byte[slots + (slots >> 1)];
             meets = new boolean[bound.length];
         }
-        Arrays.fill(bound, 0, slots, false);
+        Arrays.fill(bound, 0, slots, (byte) 0);
         jobs.run(sortJob, blocks);
-        boolean any = false;
+        any = false;
         for (int b = 0; b < blocks; b++) {
             any |= closing[b] > 0;
         }
@@ -127,6 +145,14 @@ public final class SweepStage {
                 pairs[w] = new SweptPair(colliders, contacts, bounds, points);
             }
         }
+        for (SweptPair pair : pairs) {
+            pair.use(bound);
+        }
+        if (blows == null) {
+            SweptPair own = new SweptPair(colliders, contacts, bounds, points);
+            blows = new BlowStage(colliders, contacts, own);
+        }
+        blows.begin(bound, step, reach);
         jobs.run(sweepJob, blocks);
         jobs.run(dropJob, blocks);
     }
@@ -135,15 +161,17 @@ public final class SweepStage {
     private void bindOthers(int slots) {
         BodyStore s = colliders.bodies;
         for (int i = 0; i < slots; i++) {
-            bound[i] |= s.restraint[i] != 0;
+            if (s.restraint[i] != 0) {
+                bound[i] = TIED;
+            }
         }
         for (int k = 1; k < edges.length; k++) {
             EdgeSource source = edges[k];
             for (int i = 0; i < source.edges(); i++) {
                 int a = source.edgeA(i);
                 if (a >= 0) {
-                    bound[a] = true;
-                    bound[source.edgeB(i)] = true;
+                    bound[a] = TIED;
+                    bound[source.edgeB(i)] = TIED;
                 }
             }
         }
@@ -161,13 +189,42 @@ public final class SweepStage {
             }
             state[i] = look(row);
             if (state[i] == TOUCHING) {
-                bound[c.bodyA[row]] = true;
-                bound[c.bodyB[row]] = true;
+                bound[c.bodyA[row]] = 1;
+                bound[c.bodyB[row]] = 1;
             } else {
                 count += state[i] == CLOSING ? 1 : 0;
             }
         }
         closing[block] = count;
+    }
+
+    /**
+     * Strikes the blows of fast bodies; before the solve.
+     *
+     * @param broadPhase boxes of the tick
+     * @param bounceSpeed closing speed up to which nothing bounces, m/s
+     * @param isHooked whether a hook may let bodies through
+     */
+    public void strike(BroadPhase broadPhase, double bounceSpeed, boolean isHooked) {
+        BlowStage stage = blows;
+        if (stage == null) {
+            return;
+        }
+        if (!any || isHooked) {
+            stage.skip();
+            return;
+        }
+        ContactStore c = contacts;
+        boolean strikes = false;
+        for (int i = 0; i < c.activeCount; i++) {
+            if (when[i] < Double.POSITIVE_INFINITY) {
+                stage.add(c.active[i], when[i]);
+                strikes = true;
+            }
+        }
+        if (strikes) {
+            stage.run(broadPhase, bounds.start, bounceSpeed);
+        }
     }
 
     /**
@@ -180,7 +237,10 @@ public final class SweepStage {
      */
     public void finish(
             int[] dynamic, int count, BroadPhase broadPhase, boolean isHooked, Jobs jobs) {
-        guard.run(dynamic, count, state, broadPhase, isHooked, step, jobs);
+        if (blows != null) {
+            blows.report();
+        }
+        guard.run(dynamic, count, state, broadPhase, isHooked, blows, step, jobs);
     }
 
     private byte look(int row) {
@@ -199,14 +259,14 @@ public final class SweepStage {
         double most = step * Math.max(closing(row, false), closing(row, true));
         for (int p = first; p < end; p++) {
             if (most >= c.separation[p]) {
-                return isFast(row) ? CLOSING : TOUCHING;
+                return isFast(row, FAST) ? CLOSING : TOUCHING;
             }
         }
         return HARMLESS;
     }
 
     /** Whether two bodies pass each other by a good part of the thinner one in a tick. */
-    private boolean isFast(int row) {
+    private boolean isFast(int row, double share) {
         ContactStore c = contacts;
         BodyStore s = colliders.bodies;
         int i = c.bodyA[row];
@@ -219,7 +279,7 @@ public final class SweepStage {
         double turn =
                 bounds.ahead[BoundsStage.AHEAD * a + 3] + bounds.ahead[BoundsStage.AHEAD * b + 3];
         double way = step * Math.sqrt(x * x + y * y + z * z) + turn;
-        return way > FAST * Math.min(colliders.innerRadius[a], colliders.innerRadius[b]);
+        return way > share * Math.min(colliders.innerRadius[a], colliders.innerRadius[b]);
     }
 
     /**
@@ -242,24 +302,35 @@ public final class SweepStage {
     }
 
     private void sweepBlock(int block, int worker) {
+        ContactStore c = contacts;
         if (closing[block] == 0) {
+            Arrays.fill(
+                    when,
+                    Blocks.begin(block, ROWS_PER_BLOCK),
+                    Blocks.end(block, ROWS_PER_BLOCK, c.activeCount),
+                    Double.POSITIVE_INFINITY);
             return;
         }
-        ContactStore c = contacts;
         SweptPair pair = pairs[worker];
+        BlowStage stage = Objects.requireNonNull(blows);
         int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = c.active[i];
+            when[i] = Double.POSITIVE_INFINITY;
             if (state[i] != CLOSING) {
                 continue;
             }
-            if (!isFree(c.bodyA[row], bound) || !isFree(c.bodyB[row], bound)) {
+            if (!isFree(c.bodyA[row]) || !isFree(c.bodyB[row])) {
                 state[i] = TOUCHING;
                 meets[c.bodyA[row]] = true;
                 meets[c.bodyB[row]] = true;
+                if (isFast(row, VERY_FAST) && stage.fits(row) && pair.meet(row, step)) {
+                    when[i] = pair.time();
+                }
                 continue;
             }
             if (pair.meet(row, step)) {
+                when[i] = isFast(row, VERY_FAST) ? pair.time() : when[i];
                 meets[c.bodyA[row]] = true;
                 meets[c.bodyB[row]] = true;
                 pair.collideThere(row, reach);
@@ -277,14 +348,18 @@ public final class SweepStage {
         int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = c.active[i];
-            if (state[i] == MISSING && isFree(c.bodyA[row], meets) && isFree(c.bodyB[row], meets)) {
+            if (state[i] == MISSING && isAlone(c.bodyA[row]) && isAlone(c.bodyB[row])) {
                 c.disable(row);
             }
         }
     }
 
     /** A body that does not answer to contacts goes its way in any case. */
-    private boolean isFree(int body, boolean[] marks) {
-        return colliders.bodies.kind[body] != BodyStore.DYNAMIC || !marks[body];
+    private boolean isFree(int body) {
+        return colliders.bodies.kind[body] != BodyStore.DYNAMIC || bound[body] == 0;
+    }
+
+    private boolean isAlone(int body) {
+        return colliders.bodies.kind[body] != BodyStore.DYNAMIC || !meets[body];
     }
 }

@@ -1,5 +1,6 @@
 package dev.cairn.physics.contact;
 
+import dev.cairn.physics.contact.blow.MovingPair;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
@@ -7,31 +8,46 @@ import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.shape.HalfSpace;
-import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.sweep.FirstMeeting;
+import dev.cairn.physics.sweep.Flight;
 
 /**
  * Two colliders along the motion of a tick: each body's centre on its parabola, turning about it at
- * its angular velocity.
- *
- * <p>Conservative advancement (B. Mirtich, 1996): with the distance d of now along the axis n, no
- * point closes along n faster than
- *
- * <pre>
- *   c = n . (vA - vB) + |wA| RA + |wB| RB,      R = how far a point is from its body's centre
- * </pre>
- *
- * so nothing meets before d/c, and nothing at all if c is not positive. Advance by that, and look
- * again.
+ * its angular velocity. When they meet is found by {@link FirstMeeting}.
  *
  * <p>One instance per worker.
  */
-final class SweptPair {
-    /** Steps; a pair that has not been decided by then is taken to meet. */
+final class SweptPair implements MovingPair {
+    /** Steps; a pair that is near and has not been decided by then is taken to meet. */
     private static final int MOST_STEPS = 128;
 
-    /** Of the sizes: nearer counts as met. */
-    private static final double MET = 0x1p-36;
+    /** Of the sizes: what is near then. */
+    private static final double NEAR = 0x1p-16;
+
+    /** Of the smaller size, and of the larger one: nearer counts as met. */
+    private static final double MET = 0x1p-36, ROUNDING = 0x1p-48;
+
+    /** The same of balls. */
+    private static final double EXACT = 0x1p-46;
+
+    /** Of a tick: times of meetings are multiples of it. */
+    private static final double GRAIN = 0x1p-38, FINE = 0x1p-48;
+
+    /** Of the inner radius. */
+    private static final double MOST_DOUBT = 0.25;
+
+    /** Of the smaller inner radius: the first look after a blow is that far on. */
+    private static final double SHORT = 0x1p-12;
+
+    /** Of the smaller inner radius: who sinks so deep after a blow is struck again. */
+    private static final double SUNK = 0x1p-8;
+
+    /** Of the smaller inner radius: points that far apart are of the meeting. */
+    private static final double THERE = 0.02;
+
+    /** Square of the sine between w and I w that is rounding. */
+    private static final double STEADY = 0x1p-80;
 
     private final ColliderStore colliders;
     private final ContactStore contacts;
@@ -39,11 +55,24 @@ final class SweptPair {
     private final PointStore points;
     private final PointStore.Scratch scratch = new PointStore.Scratch();
     private final NarrowPhase narrowPhase = new NarrowPhase();
+    private final FirstMeeting search = new FirstMeeting(narrowPhase, MOST_STEPS, NEAR);
     private final Manifold manifold = new Manifold();
-    private final Side a = new Side(), b = new Side();
+    private final Flight a = new Flight(), b = new Flight();
     private final double[] v = new double[3];
+    private final double[] u = new double[3];
 
+    private int slotA, slotB;
     private double step;
+
+    /** Of the last {@link #setUp}. */
+    private double fromX, fromY, fromZ, met, exact, size;
+
+    /** By body: 0 where nothing but gravity and the user's forces accelerates it. */
+    private byte[] freedom = {};
+
+    /** Whether the two of the last {@link #meetAgain} stay in touch. */
+    private boolean stays;
+
     private double time;
 
     SweptPair(
@@ -54,58 +83,168 @@ final class SweptPair {
         this.points = points;
     }
 
+    @Override
+    public void use(byte[] free) {
+        freedom = free;
+    }
+
     /** Whether the colliders of a row meet within a tick. */
     boolean meet(int row, double stepSeconds) {
+        return meet(contacts.colliderA[row], contacts.colliderB[row], 0, stepSeconds);
+    }
+
+    @Override
+    public boolean meet(int first, int second, double from, double stepSeconds) {
+        setUp(first, second, stepSeconds);
+        if (from > 0) {
+            met = exact;
+        }
+        return find(from);
+    }
+
+    /** Whether both are balls, whose distance is a formula. */
+    private boolean isRound() {
+        return a.shape instanceof Sphere && b.shape instanceof Sphere;
+    }
+
+    private void setUp(int first, int second, double stepSeconds) {
+        slotA = first;
+        slotB = second;
         step = stepSeconds;
-        a.set(contacts.colliderA[row]);
-        b.set(contacts.colliderB[row]);
+        double doubt = set(a, first) + set(b, second);
         Poses p = colliders.poses;
-        double x = p.apartX(a.collider, b.collider);
-        double y = p.apartY(a.collider, b.collider);
-        double z = p.apartZ(a.collider, b.collider);
-        double met = MET * (a.size + b.size) + a.doubt + b.doubt;
-        time = 0;
-        for (int i = 0; i < MOST_STEPS; i++) {
-            a.move(time);
-            b.move(time);
-            double d = distance(x, y, z) - met;
-            if (d <= 0) {
+        fromX = p.apartX(first, second);
+        fromY = p.apartY(first, second);
+        fromZ = p.apartZ(first, second);
+        size = Math.min(size(first, second), size(second, first));
+        exact =
+                (isRound() ? EXACT : MET) * size
+                        + ROUNDING * Math.max(size(first, second), size(second, first));
+        met = exact + doubt;
+    }
+
+    private boolean find(double from) {
+        boolean meet = search.find(a, b, fromX, fromY, fromZ, from, step, met, size);
+        // distances have no mirrored bits, so a mirrored scene would strike at another time
+        double grain = step * (isRound() ? FINE : GRAIN);
+        time = Math.max(from, Math.floor(search.time / grain) * grain);
+        a.move(time);
+        b.move(time);
+        return meet;
+    }
+
+    @Override
+    public boolean meetAgain(int first, int second, double from, double stepSeconds) {
+        setUp(first, second, stepSeconds);
+        met = exact;
+        stays = false;
+        if (!find(from)) {
+            return false;
+        }
+        if (time > from) {
+            return true;
+        }
+        return part();
+    }
+
+    /**
+     * From a meeting on: they part, and may meet again; or sink into each other, which is the next
+     * meeting; or neither, until the tick ends.
+     */
+    private boolean part() {
+        double inner = Math.min(colliders.innerRadius[slotA], colliders.innerRadius[slotB]);
+        double least = SHORT * inner / search.fastest();
+        double span = least;
+        double before = search.gap(time);
+        double deep = Math.min(before, 0) - SUNK * inner;
+        for (double t = time; t < step; ) {
+            double next = Math.min(Math.max(t + span, Math.nextUp(t)), step);
+            double gap = search.gap(next);
+            if (gap > 3 * met) {
+                return next < step && find(next);
+            }
+            if (gap < deep) {
+                time = next;
+                a.move(time);
+                b.move(time);
                 return true;
             }
-            double closing = Math.max(closing(time), closing(step)) + a.rim + b.rim;
-            if (!(closing > 0)) {
-                return false;
-            }
-            time += d / closing;
-            if (time >= step) {
-                return false;
-            }
+            // twice as far, but not so far that it would sink much deeper meanwhile
+            double rate = (before - gap) / (next - t);
+            span = rate > 0 ? Math.max(least, Math.min(2 * span, SUNK * inner / rate)) : 2 * span;
+            before = gap;
+            t = next;
         }
-        return true;
+        stays = true;
+        return false;
     }
 
-    private double distance(double x, double y, double z) {
-        return narrowPhase.distance(
-                a.shape,
-                b.shape,
-                a.qx,
-                a.qy,
-                a.qz,
-                a.qw,
-                b.qx,
-                b.qy,
-                b.qz,
-                b.qw,
-                x + b.x - a.x,
-                y + b.y - a.y,
-                z + b.z - a.z);
+    @Override
+    public boolean stays() {
+        return stays;
     }
 
-    /** How fast the centres of the bodies approach along the axis, at a time. */
-    private double closing(double t) {
-        return narrowPhase.axisX() * (a.vx + t * a.ax - b.vx - t * b.ax)
-                + narrowPhase.axisY() * (a.vy + t * a.ay - b.vy - t * b.ay)
-                + narrowPhase.axisZ() * (a.vz + t * a.az - b.vz - t * b.az);
+    @Override
+    public void place(int first, int second, double seconds, double stepSeconds) {
+        setUp(first, second, stepSeconds);
+        time = seconds;
+        a.move(time);
+        b.move(time);
+    }
+
+    @Override
+    public double time() {
+        return time;
+    }
+
+    @Override
+    public double bend(int body) {
+        double x = bounds.accelerationX(body);
+        double y = bounds.accelerationY(body);
+        double z = bounds.accelerationZ(body);
+        return 0.5 * Math.sqrt(x * x + y * y + z * z);
+    }
+
+    @Override
+    public Manifold there() {
+        collide(met + THERE * Math.min(colliders.innerRadius[slotA], colliders.innerRadius[slotB]));
+        return manifold;
+    }
+
+    private void collide(double margin) {
+        narrowPhase.collide(
+                a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, apartX(),
+                apartY(), apartZ(), margin, 0, manifold);
+    }
+
+    @Override
+    public Flight first() {
+        return a;
+    }
+
+    @Override
+    public Flight second() {
+        return b;
+    }
+
+    @Override
+    public double apartX() {
+        return fromX + b.x - a.x;
+    }
+
+    @Override
+    public double apartY() {
+        return fromY + b.y - a.y;
+    }
+
+    @Override
+    public double apartZ() {
+        return fromZ + b.z - a.z;
+    }
+
+    private double size(int slot, int other) {
+        double outer = colliders.outerRadius[slot];
+        return outer < Double.POSITIVE_INFINITY ? outer : colliders.outerRadius[other];
     }
 
     /**
@@ -116,35 +255,27 @@ final class SweptPair {
      * @param reach of the margin, s
      */
     void collideThere(int row, double reach) {
-        Poses p = colliders.poses;
         double wayX = b.x - a.x;
         double wayY = b.y - a.y;
         double wayZ = b.z - a.z;
-        double thin = Math.min(a.inner, b.inner);
+        double thin = Math.min(colliders.innerRadius[slotA], colliders.innerRadius[slotB]);
         double way = wayX * wayX + wayY * wayY + wayZ * wayZ;
-        double turned = (a.rim + b.rim) * time;
-        if ((way <= thin * thin && turned <= thin) || (a.isBall && b.isBall)) {
+        double turned = (a.rim() + b.rim()) * time;
+        boolean balls =
+                colliders.bodies.isBall[colliders.body[slotA]]
+                        && colliders.bodies.isBall[colliders.body[slotB]];
+        if ((way <= thin * thin && turned <= thin) || balls) {
             return;
         }
-        narrowPhase.collide(
-                a.shape,
-                b.shape,
-                a.qx,
-                a.qy,
-                a.qz,
-                a.qw,
-                b.qx,
-                b.qy,
-                b.qz,
-                b.qw,
-                p.apartX(a.collider, b.collider) + wayX,
-                p.apartY(a.collider, b.collider) + wayY,
-                p.apartZ(a.collider, b.collider) + wayZ,
-                bounds.margin(a.collider, b.collider, reach, thin),
-                0,
-                manifold);
+        tell(row, reach);
+    }
+
+    @Override
+    public Manifold tell(int row, double reach) {
+        double thin = Math.min(colliders.innerRadius[slotA], colliders.innerRadius[slotB]);
+        collide(bounds.margin(slotA, slotB, reach, thin));
         if (manifold.pointCount == 0) {
-            return;
+            return manifold;
         }
         ContactStore c = contacts;
         c.cache[row] = 0;
@@ -153,136 +284,98 @@ final class SweptPair {
         double nx = c.normalX(row);
         double ny = c.normalY(row);
         double nz = c.normalZ(row);
-        double dx = p.apartX(a.collider, b.collider) + wayX;
-        double dy = p.apartY(a.collider, b.collider) + wayY;
-        double dz = p.apartZ(a.collider, b.collider) + wayZ;
+        double dx = apartX();
+        double dy = apartY();
+        double dz = apartZ();
         for (int k = 0; k < manifold.pointCount; k++) {
             int q = ContactStore.POINTS * row + k;
             double x = manifold.pointX[k];
             double y = manifold.pointY[k];
             double z = manifold.pointZ[k];
             a.back(x, y, z, v);
-            double rx = v[0];
-            double ry = v[1];
-            double rz = v[2];
             double moved = nx * a.movedX + ny * a.movedY + nz * a.movedZ;
-            b.back(x - dx, y - dy, z - dz, v);
+            b.back(x - dx, y - dy, z - dz, u);
             moved = nx * b.movedX + ny * b.movedY + nz * b.movedZ - moved;
-            c.setAnchors(q, rx, ry, rz, v[0], v[1], v[2]);
+            c.setAnchors(q, v[0], v[1], v[2], u[0], u[1], u[2]);
             c.separation[q] = manifold.separation[k] - moved;
         }
+        return manifold;
     }
 
-    /** One collider of the pair. */
-    private final class Side {
-        private final double[] turned = new double[3];
-        private final double[] turn = new double[4];
-        private int collider;
-        private Shape shape = HalfSpace.of();
-        private boolean isBall;
+    /**
+     * Sets the way of a collider.
+     *
+     * @return what its turning is uncertain by, m
+     */
+    private double set(Flight f, int slot) {
+        BodyStore s = colliders.bodies;
+        int body = colliders.body[slot];
+        f.shape = colliders.shape[slot];
+        f.vx = s.velocityX[body];
+        f.vy = s.velocityY[body];
+        f.vz = s.velocityZ[body];
+        f.wx = s.angularVelocityX[body];
+        f.wy = s.angularVelocityY[body];
+        f.wz = s.angularVelocityZ[body];
+        boolean isDynamic = s.kind[body] == BodyStore.DYNAMIC;
+        boolean flies = isDynamic && freedom[body] == 0;
+        f.ax = flies ? bounds.accelerationX(body) : 0;
+        f.ay = flies ? bounds.accelerationY(body) : 0;
+        f.az = flies ? bounds.accelerationZ(body) : 0;
+        f.turned(
+                s.orientationX[slot],
+                s.orientationY[slot],
+                s.orientationZ[slot],
+                s.orientationW[slot]);
+        boolean isChild = colliders.isChild(slot);
+        f.lever(
+                isChild ? s.apartX(body, slot) : 0,
+                isChild ? s.apartY(body, slot) : 0,
+                isChild ? s.apartZ(body, slot) : 0);
+        f.begin(colliders.outerRadius[slot], f.shape instanceof Sphere);
+        return isDynamic && f.rim() > 0 && !isSteady(body) ? doubt(f, slot) : 0;
+    }
 
-        /** Velocity of the body's centre at the start, m/s, and acceleration, m/s². */
-        private double vx, vy, vz, ax, ay, az;
+    /** A body without symmetry changes its axis as it turns. */
+    private double doubt(Flight f, int slot) {
+        double angle = step * Math.sqrt(f.wx * f.wx + f.wy * f.wy + f.wz * f.wz);
+        return Math.min(0.125 * angle * angle, MOST_DOUBT) * colliders.innerRadius[slot];
+    }
 
-        private double wx, wy, wz;
+    @Override
+    public Flight way(int body, double seconds, double stepSeconds) {
+        step = stepSeconds;
+        set(a, body);
+        a.move(seconds);
+        return a;
+    }
 
-        /** From the body's centre to the collider's at the start; all 0 for most. */
-        private double leverX, leverY, leverZ;
-
-        private double sx, sy, sz, sw;
-
-        /**
-         * Angular speed; surface speed of turning; size; inner radius; what the path of turning is
-         * uncertain by.
-         */
-        private double spin, rim, size, inner, doubt;
-
-        /** At a time: how far the collider's centre has moved; its orientation; its body's turn. */
-        private double x, y, z, qx, qy, qz, qw, tx, ty, tz, tw;
-
-        /** How far the point of the last {@link #back} has moved. */
-        private double movedX, movedY, movedZ;
-
-        void set(int slot) {
-            collider = slot;
-            shape = colliders.shape[slot];
-            BodyStore s = colliders.bodies;
-            int body = colliders.body[slot];
-            isBall = s.isBall[body];
-            vx = s.velocityX[body];
-            vy = s.velocityY[body];
-            vz = s.velocityZ[body];
-            wx = s.angularVelocityX[body];
-            wy = s.angularVelocityY[body];
-            wz = s.angularVelocityZ[body];
-            boolean isChild = colliders.isChild(slot);
-            leverX = isChild ? s.apartX(body, slot) : 0;
-            leverY = isChild ? s.apartY(body, slot) : 0;
-            leverZ = isChild ? s.apartZ(body, slot) : 0;
-            // what is ahead is of the collider's centre, which turns with the body
-            boolean isDynamic = s.kind[body] == BodyStore.DYNAMIC;
-            int at = BoundsStage.AHEAD * slot;
-            ax = isDynamic ? (bounds.ahead[at] - wy * leverZ + wz * leverY - vx) / step : 0;
-            ay = isDynamic ? (bounds.ahead[at + 1] - wz * leverX + wx * leverZ - vy) / step : 0;
-            az = isDynamic ? (bounds.ahead[at + 2] - wx * leverY + wy * leverX - vz) / step : 0;
-            sx = s.orientationX[slot];
-            sy = s.orientationY[slot];
-            sz = s.orientationZ[slot];
-            sw = s.orientationW[slot];
-            spin = Math.sqrt(wx * wx + wy * wy + wz * wz);
-            double lever = Math.sqrt(leverX * leverX + leverY * leverY + leverZ * leverZ);
-            double outer = colliders.outerRadius[slot];
-            inner = colliders.innerRadius[slot];
-            boolean turns = spin > 0 && !isBall;
-            rim = turns ? spin * (lever + outer) : 0;
-            size = outer < Double.POSITIVE_INFINITY ? outer : 0;
-            // a body without symmetry changes its axis as it turns
-            double angle = spin * step;
-            doubt = turns && isDynamic ? 0.125 * angle * angle * inner : 0;
+    @Override
+    public boolean isSteady(int body) {
+        BodyStore s = colliders.bodies;
+        if (s.torqueX[body] != 0 || s.torqueY[body] != 0 || s.torqueZ[body] != 0) {
+            return false;
         }
-
-        /** Where it is after a time. */
-        void move(double t) {
-            x = t * (vx + 0.5 * t * ax);
-            y = t * (vy + 0.5 * t * ay);
-            z = t * (vz + 0.5 * t * az);
-            turn(t);
-            qx = tw * sx + tx * sw + ty * sz - tz * sy;
-            qy = tw * sy - tx * sz + ty * sw + tz * sx;
-            qz = tw * sz + tx * sy - ty * sx + tz * sw;
-            qw = tw * sw - tx * sx - ty * sy - tz * sz;
-            if (leverX != 0 || leverY != 0 || leverZ != 0) {
-                Rotations.rotate(tx, ty, tz, tw, leverX, leverY, leverZ, turned);
-                x += turned[0] - leverX;
-                y += turned[1] - leverY;
-                z += turned[2] - leverZ;
-            }
-        }
-
-        private void turn(double t) {
-            if (spin == 0) {
-                tx = ty = tz = 0;
-                tw = 1;
-                return;
-            }
-            Rotations.turn(wx, wy, wz, spin, t, turn);
-            tx = turn[0];
-            ty = turn[1];
-            tz = turn[2];
-            tw = turn[3];
-        }
-
-        /** Where a point of now, from the collider's centre, was at the start, from the body's. */
-        void back(double px, double py, double pz, double[] out) {
-            // from the body's centre now
-            Rotations.rotate(tx, ty, tz, tw, leverX, leverY, leverZ, turned);
-            double rx = px + turned[0];
-            double ry = py + turned[1];
-            double rz = pz + turned[2];
-            Rotations.rotate(-tx, -ty, -tz, tw, rx, ry, rz, out);
-            movedX = x - (turned[0] - leverX) + rx - out[0];
-            movedY = y - (turned[1] - leverY) + ry - out[1];
-            movedZ = z - (turned[2] - leverZ) + rz - out[2];
-        }
+        // in body axes
+        Rotations.rotate(
+                -s.orientationX[body],
+                -s.orientationY[body],
+                -s.orientationZ[body],
+                s.orientationW[body],
+                s.angularVelocityX[body],
+                s.angularVelocityY[body],
+                s.angularVelocityZ[body],
+                v);
+        double x = v[0];
+        double y = v[1];
+        double z = v[2];
+        double lx = s.inertiaXX[body] * x + s.inertiaXY[body] * y + s.inertiaXZ[body] * z;
+        double ly = s.inertiaXY[body] * x + s.inertiaYY[body] * y + s.inertiaYZ[body] * z;
+        double lz = s.inertiaXZ[body] * x + s.inertiaYZ[body] * y + s.inertiaZZ[body] * z;
+        double cx = y * lz - z * ly;
+        double cy = z * lx - x * lz;
+        double cz = x * ly - y * lx;
+        double most = STEADY * (x * x + y * y + z * z) * (lx * lx + ly * ly + lz * lz);
+        return cx * cx + cy * cy + cz * cz <= most;
     }
 }

@@ -169,10 +169,7 @@ public final class FirstMeeting {
      * @return s; beyond the end when they are not
      */
     public double leave() {
-        double x = a.vx - b.vx;
-        double y = a.vy - b.vy;
-        double z = a.vz - b.vz;
-        double most = Math.sqrt(x * x + y * y + z * z) + bend() * until + a.rim() + b.rim();
+        double most = fastest();
         double least = SHORT * scale / most;
         for (double t = time + least; t <= until; ) {
             double d = look(t);
@@ -182,6 +179,29 @@ public final class FirstMeeting {
             t = Math.max(t + Math.max(-d / most, least), Math.nextUp(t));
         }
         return Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * How fast any two points of them pass each other at most, m/s.
+     *
+     * @return a bound for the whole of the span
+     */
+    public double fastest() {
+        double x = a.vx - b.vx;
+        double y = a.vy - b.vy;
+        double z = a.vz - b.vz;
+        return Math.sqrt(x * x + y * y + z * z) + bend() * until + a.rim() + b.rim();
+    }
+
+    /**
+     * How much farther apart than met the two of the last search are at a time; negative while they
+     * overlap.
+     *
+     * @param t s
+     * @return m
+     */
+    public double gap(double t) {
+        return look(t);
     }
 
     /** From a's centre to b's, where they were left; world, m. */

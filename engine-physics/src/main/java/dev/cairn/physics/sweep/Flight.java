@@ -35,6 +35,9 @@ public final class Flight {
     /** At a time: how far the shape's centre has moved, and its orientation. */
     public double x, y, z, qx, qy, qz, qw = 1;
 
+    /** At a time: from the pivot to the shape's centre. */
+    public double armX, armY, armZ;
+
     /** At a time: the turn since the start. */
     private double tx, ty, tz, tw = 1;
 
@@ -89,6 +92,9 @@ public final class Flight {
         x = t * (vx + 0.5 * t * ax);
         y = t * (vy + 0.5 * t * ay);
         z = t * (vz + 0.5 * t * az);
+        armX = leverX;
+        armY = leverY;
+        armZ = leverZ;
         if (spin == 0) {
             tx = ty = tz = 0;
             tw = 1;
@@ -109,10 +115,48 @@ public final class Flight {
         qw = tw * sw - tx * sx - ty * sy - tz * sz;
         if (leverX != 0 || leverY != 0 || leverZ != 0) {
             Rotations.rotate(tx, ty, tz, tw, leverX, leverY, leverZ, turned);
-            x += turned[0] - leverX;
-            y += turned[1] - leverY;
-            z += turned[2] - leverZ;
+            armX = turned[0];
+            armY = turned[1];
+            armZ = turned[2];
+            x += armX - leverX;
+            y += armY - leverY;
+            z += armZ - leverZ;
         }
+    }
+
+    /**
+     * How the shape would have lain at the start to lie as it does now, had it turned at another
+     * rate.
+     *
+     * @param x angular velocity, rad/s, world
+     * @param y see {@code x}
+     * @param z see {@code x}
+     * @param t the time of now, s
+     * @param out receives the unit quaternion, world from shape
+     */
+    public void turnBack(double x, double y, double z, double t, double[] out) {
+        double rate = Math.sqrt(x * x + y * y + z * z);
+        if (rate == 0) {
+            out[0] = qx;
+            out[1] = qy;
+            out[2] = qz;
+            out[3] = qw;
+            return;
+        }
+        Rotations.turn(-x, -y, -z, rate, t, turn);
+        double a = turn[0];
+        double b = turn[1];
+        double c = turn[2];
+        double d = turn[3];
+        double ox = d * qx + a * qw + b * qz - c * qy;
+        double oy = d * qy - a * qz + b * qw + c * qx;
+        double oz = d * qz + a * qy - b * qx + c * qw;
+        double ow = d * qw - a * qx - b * qy - c * qz;
+        double unit = 1 / Math.sqrt(ox * ox + oy * oy + oz * oz + ow * ow);
+        out[0] = ox * unit;
+        out[1] = oy * unit;
+        out[2] = oz * unit;
+        out[3] = ow * unit;
     }
 
     /** Where a point of now, from the shape's centre, was at the start, from the pivot. */

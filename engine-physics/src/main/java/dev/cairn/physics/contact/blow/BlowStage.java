@@ -1,0 +1,441 @@
+package dev.cairn.physics.contact.blow;
+
+import dev.cairn.physics.broadphase.BroadPhase;
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactMaterials;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.sweep.Flight;
+
+import java.util.Arrays;
+
+/**
+ * Strikes the blows of fast bodies within a tick, each at its time; see the package.
+ *
+ * <p>Bodies of one convex shape that nothing binds take part; what they meet may be anything convex
+ * that nothing but contacts binds. A body that is struck loses the contacts of the tick's start,
+ * which were told of a way that it does not go, and is followed through the trees.
+ *
+ * <p>Simulation thread; allocates only when something grows.
+ */
+public final class BlowStage {
+    /** Blows of a body in a tick; what follows is the solver's. */
+    private static final int MOST_BLOWS = 64;
+
+    /** The same of those that bounce. */
+    private static final int MOST_BOUNCES = 4096;
+
+    /** Share of a tick: what meets a body within it is one blow, and left to the solver. */
+    private static final double SOON = 1e-9;
+
+    private static final double[] NO_START = {};
+
+    private final ColliderStore colliders;
+    private final ContactStore contacts;
+    private final BlowQueue queue = new BlowQueue();
+    private final Blow blow = new Blow();
+    private final MovingPair pair;
+    private final Struck bodies;
+    private final Ahead ahead;
+
+    /** The material of two colliders that have no row. */
+    private final ContactStore mixed = new ContactStore();
+
+    private final double[] turned = new double[4];
+    private final Spin spin = new Spin();
+    private final Outcome outcome;
+
+    /** By body: orientation and angular velocity at the last blow. */
+    private double[] last = {};
+
+    /** Meetings of one time: two colliders and their row. */
+    private int[] taken = {};
+
+    private int takenCount;
+
+    // the tick in work
+    private double[] start = NO_START;
+    private double step, reach, threshold;
+
+    /**
+     * A stage.
+     *
+     * @param colliders whose contacts these are
+     * @param contacts the rows
+     * @param pair measures meetings
+     */
+    public BlowStage(ColliderStore colliders, ContactStore contacts, MovingPair pair) {
+        this.colliders = colliders;
+        this.contacts = contacts;
+        this.pair = pair;
+        outcome = new Outcome(colliders, contacts);
+        bodies = new Struck(colliders, contacts);
+        ahead = new Ahead(colliders, bodies, pair, queue);
+    }
+
+    /**
+     * Begins a tick.
+     *
+     * @param freedom by body, 0 if it is free, 1 if it touches somebody, 2 if it is bound
+     * @param stepSeconds length of the tick, s
+     * @param reachSeconds of the margin, s
+     */
+    public void begin(byte[] freedom, double stepSeconds, double reachSeconds) {
+        step = stepSeconds;
+        reach = reachSeconds;
+        pair.use(freedom);
+        int slots = colliders.bodies.slotCount;
+        if (last.length < 7 * slots) {
+            last = new double[7 * (slots + (slots >> 1))];
+        }
+        bodies.begin(freedom);
+        outcome.clear();
+        queue.clear();
+        if (mixed.count == 0) {
+            mixed.append(1);
+        }
+    }
+
+    /** Nobody meets in this tick. */
+    public void skip() {
+        bodies.count = 0;
+        outcome.clear();
+    }
+
+    /**
+     * Whether two bodies of a row may be struck here.
+     *
+     * @param row of a contact
+     * @return whether both are convex, of one shape and bound by contacts only, and one is free
+     */
+    public boolean fits(int row) {
+        return bodies.fits(row);
+    }
+
+    /** A row whose bodies meet at a time, s after the tick's start. */
+    public void add(int row, double time) {
+        queue.add(time, contacts.colliderA[row], contacts.colliderB[row], 0, 0, row);
+    }
+
+    /**
+     * Strikes all, in the order of their times.
+     *
+     * @param boxes of the tick
+     * @param starts by collider, where its way is looked at from; written for who is struck
+     * @param bounceSpeed closing speed up to which nothing bounces, m/s
+     */
+    public void run(BroadPhase boxes, double[] starts, double bounceSpeed) {
+        start = starts;
+        threshold = bounceSpeed;
+        bodies.link();
+        ahead.begin(boxes, starts, step);
+        while (queue.poll()) {
+            if (!isOpen()) {
+                continue;
+            }
+            take(queue.a, queue.b, queue.row);
+            double first = queue.time;
+            while (queue.next() <= first + SOON * step) {
+                queue.poll();
+                if (isOpen()) {
+                    take(queue.a, queue.b, queue.row);
+                }
+            }
+            strikeTaken(first);
+        }
+        for (int i = 0; i < bodies.count; i++) {
+            int body = bodies.list[i];
+            if (!bodies.closed[body] && bodies.free[body] == 0 && !pair.isSteady(body)) {
+                keepTurning(body);
+            }
+        }
+    }
+
+    /**
+     * Who tumbles ends the tick as he was looked at: turned at the angular velocity of the last
+     * blow. His angular momentum is that of then, and his energy no more.
+     */
+    private void keepTurning(int body) {
+        BodyStore s = colliders.bodies;
+        Flight f = pair.way(body, step, step);
+        int at = outcome.put(body, f);
+        spin.momentum(s, body, last, 7 * body);
+        spin.velocity(s, body, f.qx, f.qy, f.qz, f.qw);
+        outcome.stops[at + 10] = s.velocityX[body] + step * f.ax;
+        outcome.stops[at + 11] = s.velocityY[body] + step * f.ay;
+        outcome.stops[at + 12] = s.velocityZ[body] + step * f.az;
+        outcome.stops[at + 13] = spin.x;
+        outcome.stops[at + 14] = spin.y;
+        outcome.stops[at + 15] = spin.z;
+    }
+
+    /** Whether the meeting that was taken out is still to come. */
+    private boolean isOpen() {
+        int a = colliders.body[queue.a];
+        int b = colliders.body[queue.b];
+        return queue.isFresh(bodies.blows[a], bodies.blows[b])
+                && !bodies.closed[a]
+                && !bodies.closed[b];
+    }
+
+    private void take(int a, int b, int row) {
+        if (3 * takenCount == taken.length) {
+            taken = Arrays.copyOf(taken, Math.max(12, 6 * takenCount));
+        }
+        taken[3 * takenCount] = a;
+        taken[3 * takenCount + 1] = b;
+        taken[3 * takenCount++ + 2] = row;
+    }
+
+    /** Strikes those that meet at one time; who meets two is left to the solver. */
+    private void strikeTaken(double time) {
+        int count = takenCount;
+        takenCount = 0;
+        for (int i = 0; i < count; i++) {
+            int a = taken[3 * i];
+            int b = taken[3 * i + 1];
+            if (isShared(i, count) || !bodies.fits(a, b) || isDead(a, b, taken[3 * i + 2])) {
+                leave(a, b, taken[3 * i + 2], time);
+            }
+        }
+        for (int i = 0; i < count; i++) {
+            int a = taken[3 * i];
+            int b = taken[3 * i + 1];
+            if (!bodies.closed[colliders.body[a]] && !bodies.closed[colliders.body[b]]) {
+                strike(a, b, taken[3 * i + 2], time);
+            }
+        }
+    }
+
+    /** A blow without a bounce against what is fixed: the contact and the guard do it. */
+    private boolean isDead(int a, int b, int row) {
+        byte[] kind = colliders.bodies.kind;
+        if (kind[colliders.body[a]] != BodyStore.STATIC
+                && kind[colliders.body[b]] != BodyStore.STATIC) {
+            return false;
+        }
+        int like = row >= 0 ? row : mix(a, b);
+        return (row >= 0 ? contacts : mixed).restitution[like] == 0;
+    }
+
+    private boolean isShared(int i, int count) {
+        for (int j = 0; j < count; j++) {
+            for (int side = 0; side < 4 && j != i; side++) {
+                int body = colliders.body[taken[3 * i + (side & 1)]];
+                if (body == colliders.body[taken[3 * j + (side >> 1)]]
+                        && colliders.bodies.kind[body] == BodyStore.DYNAMIC) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Leaves two to the solver, with the contacts of this moment if they have been struck. */
+    private void leave(int first, int second, int row, double time) {
+        int a = colliders.body[first];
+        int b = colliders.body[second];
+        bodies.closed[a] = colliders.bodies.kind[a] == BodyStore.DYNAMIC;
+        bodies.closed[b] = colliders.bodies.kind[b] == BodyStore.DYNAMIC;
+        boolean isStruck = bodies.blows[a] > 0 || bodies.blows[b] > 0;
+        if (row >= 0 && (isStruck || !contacts.isSolved(row))) {
+            pair.place(first, second, time, step);
+            pair.tell(row, reach);
+        }
+        for (int side = 0; side < 2; side++) {
+            int body = side == 0 ? a : b;
+            if (!bodies.closed[body] || bodies.blows[body] == 0 || bodies.free[body] != 0) {
+                continue;
+            }
+            for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
+                int each = link >> 1;
+                if (each == row || isStruckElsewhere(each, body)) {
+                    continue;
+                }
+                if (bodies.isPlain(contacts.colliderA[each])
+                        && bodies.isPlain(contacts.colliderB[each])) {
+                    pair.place(contacts.colliderA[each], contacts.colliderB[each], time, step);
+                    pair.tell(each, reach);
+                }
+            }
+        }
+    }
+
+    /** Whether the other body of a row goes another way than the row was told of. */
+    private boolean isStruckElsewhere(int row, int body) {
+        int other = contacts.bodyA[row] == body ? contacts.bodyB[row] : contacts.bodyA[row];
+        return colliders.bodies.kind[other] == BodyStore.DYNAMIC && bodies.blows[other] > 0;
+    }
+
+    private void strike(int first, int second, int row, double time) {
+        pair.place(first, second, time, step);
+        // in a row the points get their order, which a mirrored scene has too
+        Manifold m = row >= 0 ? pair.tell(row, reach) : pair.there();
+        if (m.pointCount == 0) {
+            return;
+        }
+        int a = colliders.body[first];
+        int b = colliders.body[second];
+        int like = row >= 0 ? row : mix(first, second);
+        ContactStore of = row >= 0 ? contacts : mixed;
+
+        if (row >= 0) {
+            // from here on it is the solver's only if they stay in touch
+            contacts.disable(row);
+        }
+        double closing = blow(m, first, second, of.restitution[like], of.friction(like), time);
+        if (closing > 0) {
+            outcome.note(row, m, blow.sum);
+            shift(a, 0, time);
+            shift(b, 6, time);
+        }
+        boolean again = pair.meetAgain(first, second, time, step);
+        boolean isIdle =
+                !(closing > 0)
+                        && ++bodies.idle[colliders.bodies.kind[a] == BodyStore.DYNAMIC ? a : b]
+                                > MOST_BLOWS;
+        if (pair.stays()) {
+            leave(first, second, row, time);
+            return;
+        }
+        int most = of.restitution[like] > 0 ? MOST_BOUNCES : MOST_BLOWS;
+        if (isIdle || bodies.blows[a] >= most || bodies.blows[b] >= most) {
+            // the lighter one
+            boolean isFirst = weight(a) >= weight(b);
+            stop(isFirst ? first : second, isFirst ? 0 : 1, m, time);
+            return;
+        }
+        if (again) {
+            queue.add(pair.time(), first, second, bodies.blows[a], bodies.blows[b], row);
+        }
+        if (closing > 0) {
+            ahead.follow(a, time);
+            ahead.follow(b, time);
+        }
+    }
+
+    /** 1/kg; below 0 if the body may not be stopped. */
+    private double weight(int body) {
+        boolean isStopped =
+                colliders.bodies.kind[body] == BodyStore.DYNAMIC && bodies.free[body] == 0;
+        return isStopped ? colliders.bodies.inverseMass[body] : -1;
+    }
+
+    /**
+     * A body that strikes another one more often than anybody can follow stays where it is, and
+     * goes along with that: it loses the rest of the tick.
+     */
+    private void stop(int collider, int side, Manifold m, double time) {
+        BodyStore s = colliders.bodies;
+        int body = colliders.body[collider];
+        if (s.kind[body] != BodyStore.DYNAMIC || bodies.free[body] != 0) {
+            return;
+        }
+        bodies.closed[body] = true;
+        for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
+            contacts.disable(link >> 1);
+        }
+        double carried = (step - time) * blow.carrier(1 - side, m);
+        int at = outcome.put(body, side == 0 ? pair.first() : pair.second());
+        outcome.stops[at] += carried * m.normalX;
+        outcome.stops[at + 1] += carried * m.normalY;
+        outcome.stops[at + 2] += carried * m.normalZ;
+        System.arraycopy(blow.after, 6 * side, outcome.stops, at + 10, 6);
+    }
+
+    private int mix(int first, int second) {
+        ContactMaterials.join(mixed, 0, colliders, first, second);
+        return 0;
+    }
+
+    private double blow(
+            Manifold m, int first, int second, double restitution, double friction, double time) {
+        Flight f = pair.first();
+        Flight g = pair.second();
+        side(0, colliders.body[first], f, time);
+        side(1, colliders.body[second], g, time);
+        // points are from the first collider's centre
+        double cx = f.armX;
+        double cy = f.armY;
+        double cz = f.armZ;
+        double bx = cx + pair.apartX() - g.armX;
+        double by = cy + pair.apartY() - g.armY;
+        double bz = cz + pair.apartZ() - g.armZ;
+        return blow.strike(m, cx, cy, cz, bx, by, bz, restitution, friction, threshold);
+    }
+
+    private void side(int side, int body, Flight f, double time) {
+        blow.side(
+                side,
+                colliders.bodies,
+                body,
+                f.qx,
+                f.qy,
+                f.qz,
+                f.qw,
+                f.vx + time * f.ax,
+                f.vy + time * f.ay,
+                f.vz + time * f.az);
+    }
+
+    /** Gives a body the velocities after the blow; dv at t is dv now from a start at -t dv. */
+    private void shift(int body, int at, double time) {
+        BodyStore s = colliders.bodies;
+        if (s.kind[body] != BodyStore.DYNAMIC) {
+            return;
+        }
+        if (bodies.blows[body]++ == 0) {
+            bodies.list[bodies.count++] = body;
+            // told of the way before; who touches others keeps what holds him
+            for (int link = bodies.head[body];
+                    link >= 0 && bodies.free[body] == 0;
+                    link = bodies.next[link]) {
+                contacts.disable(link >> 1);
+            }
+        }
+        double[] v = blow.before;
+        double[] w = blow.after;
+        Flight f = at == 0 ? pair.first() : pair.second();
+        start[3 * body] = s.positionX[body] + f.x;
+        start[3 * body + 1] = s.positionY[body] + f.y;
+        start[3 * body + 2] = s.positionZ[body] + f.z;
+        bodies.late[body] = time / step;
+        double dx = w[at] - v[at];
+        double dy = w[at + 1] - v[at + 1];
+        double dz = w[at + 2] - v[at + 2];
+        s.move(body, -time * dx, -time * dy, -time * dz);
+        s.velocityX[body] += dx;
+        s.velocityY[body] += dy;
+        s.velocityZ[body] += dz;
+        s.angularVelocityX[body] = w[at + 3];
+        s.angularVelocityY[body] = w[at + 4];
+        s.angularVelocityZ[body] = w[at + 5];
+        int q = 7 * body;
+        last[q] = f.qx;
+        last[q + 1] = f.qy;
+        last[q + 2] = f.qz;
+        last[q + 3] = f.qw;
+        System.arraycopy(w, at + 3, last, q + 4, 3);
+        f.turnBack(w[at + 3], w[at + 4], w[at + 5], time, turned);
+        s.orientationX[body] = turned[0];
+        s.orientationY[body] = turned[1];
+        s.orientationZ[body] = turned[2];
+        s.orientationW[body] = turned[3];
+    }
+
+    /**
+     * The share of the tick after which a body's way was looked at from a new start.
+     *
+     * @param body slot
+     * @return 0 for who was not struck
+     */
+    public double late(int body) {
+        return bodies.count > 0 ? bodies.late[body] : 0;
+    }
+
+    /** Puts who must be somewhere, and tells rows what they struck with; after the solve. */
+    public void report() {
+        outcome.report();
+    }
+}

@@ -1,0 +1,137 @@
+package dev.cairn.physics.contact.blow;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.narrowphase.pair.Reach;
+
+import java.util.Arrays;
+
+/** Bodies in a tick with blows: who may be struck, who was, and the rows of each. */
+final class Struck {
+    private final ColliderStore colliders;
+    private final ContactStore contacts;
+
+    /** By body: 0 if it is free, 1 if it touches somebody, 2 if it is bound otherwise. */
+    byte[] free = {};
+
+    /** By body: blows in this tick, and meetings without a blow. */
+    int[] blows = {}, idle = {};
+
+    /** By body: it is the solver's. */
+    boolean[] closed = {};
+
+    /** By body: share of the tick at its last blow. */
+    double[] late = {};
+
+    /** By body: the first of its rows; by row and side: the next one. */
+    int[] head = {}, next = {};
+
+    /** Those that were struck. */
+    int[] list = {};
+
+    int count;
+
+    Struck(ColliderStore colliders, ContactStore contacts) {
+        this.colliders = colliders;
+        this.contacts = contacts;
+    }
+
+    void begin(byte[] freedom) {
+        free = freedom;
+        int slots = colliders.bodies.slotCount;
+        if (blows.length < slots) {
+            blows = new int[slots + (slots >> 1)];
+            closed = new boolean[blows.length];
+            idle = new int[blows.length];
+            late = new double[blows.length];
+            head = new int[blows.length];
+            list = new int[blows.length];
+        }
+        Arrays.fill(blows, 0, slots, 0);
+        Arrays.fill(closed, 0, slots, false);
+        Arrays.fill(idle, 0, slots, 0);
+        Arrays.fill(late, 0, slots, 0.0);
+        count = 0;
+    }
+
+    /** Whether two bodies of a row may be struck. */
+    boolean fits(int row) {
+        ContactStore c = contacts;
+        int u = 3 * row;
+        return (!c.belts || (c.belt[u] == 0 && c.belt[u + 1] == 0 && c.belt[u + 2] == 0))
+                && fits(c.colliderA[row], c.colliderB[row]);
+    }
+
+    /** Whether two colliders may be struck. */
+    boolean fits(int a, int b) {
+        return (isFree(a) || isFree(b))
+                && answersAlone(a)
+                && answersAlone(b)
+                && isPlain(a)
+                && isPlain(b);
+    }
+
+    /** A body of one shape that is dynamic, and neither bound nor in touch. */
+    private boolean isFree(int collider) {
+        int body = colliders.body[collider];
+        return colliders.bodies.kind[body] == BodyStore.DYNAMIC
+                && free[body] == 0
+                && isSingle(collider);
+    }
+
+    private boolean isSingle(int collider) {
+        return colliders.bodies.collider[colliders.body[collider]] == collider
+                && !colliders.isChild(collider)
+                && colliders.next[collider] == ColliderStore.NONE;
+    }
+
+    /** Whether a body that answers is bound by nothing but contacts. */
+    private boolean answersAlone(int collider) {
+        int body = colliders.body[collider];
+        byte kind = colliders.bodies.kind[body];
+        return kind == BodyStore.STATIC
+                || kind == BodyStore.KINEMATIC
+                || (kind == BodyStore.DYNAMIC && free[body] < 2 && isSingle(collider));
+    }
+
+    /** Whether a collider is convex, and the one that its rows are solved for and told of. */
+    boolean isPlain(int collider) {
+        return Reach.fits(colliders.shape[collider])
+                && !colliders.isPart(collider)
+                && !colliders.isWhole(collider);
+    }
+
+    /** Lists the rows of each body. */
+    void link() {
+        Arrays.fill(head, 0, colliders.bodies.slotCount, -1);
+        if (next.length < 2 * contacts.count) {
+            next = new int[2 * contacts.bodyA.length];
+        }
+        for (int i = contacts.activeCount - 1; i >= 0; i--) {
+            int row = contacts.active[i];
+            int a = contacts.bodyA[row];
+            int b = contacts.bodyB[row];
+            if (!isPlain(contacts.colliderA[row]) || !isPlain(contacts.colliderB[row])) {
+                // near triangles, or parts that make one shape, contacts and the guard do it
+                closed[a] = colliders.bodies.kind[a] == BodyStore.DYNAMIC;
+                closed[b] = colliders.bodies.kind[b] == BodyStore.DYNAMIC;
+            }
+            next[2 * row] = head[a];
+            head[a] = 2 * row;
+            next[2 * row + 1] = head[b];
+            head[b] = 2 * row + 1;
+        }
+    }
+
+    /** The row of two colliders, the lower one first, or -1. */
+    int row(int body, int a, int b) {
+        for (int link = head[body]; link >= 0; link = next[link]) {
+            int row = link >> 1;
+            if (contacts.colliderA[row] == a && contacts.colliderB[row] == b) {
+                return row;
+            }
+        }
+        return -1;
+    }
+}

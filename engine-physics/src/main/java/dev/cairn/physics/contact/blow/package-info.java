@@ -1,0 +1,31 @@
+/**
+ * Fast bodies meet within a tick: the blow is struck at the time and place of the meeting, and the
+ * rest of the tick goes on from there.
+ *
+ * <p>Problem: a contact has the points and the normal of one moment. Who turns by a radian in a
+ * sub-step, or meets several others in a tick, is struck with levers that are none, and what he
+ * meets after the first blow nobody has looked for.
+ *
+ * <pre>
+ *   first meetings ─▶ {@link dev.cairn.physics.contact.blow.BlowQueue}, earliest first
+ *                        │
+ *                        ▼
+ *   {@link dev.cairn.physics.contact.blow.BlowStage}: pose of that moment ─▶ {@link dev.cairn.physics.contact.blow.Blow}: impulse ─▶ other velocities, start moved
+ *                        ▲                                                        │
+ *                        └──── meetings of the struck with whatever is ahead ◀────┘
+ * </pre>
+ *
+ * <p>A change of velocity dv at the time t is the same way as a change now and a shift of the start
+ * by -t dv, so the solver flies the whole tick, and no time is lost. Who stays in touch is left to
+ * the solver, with the contact of that moment.
+ *
+ * <p>Invariants: blows are struck in the order of their times, then of colliders, on one thread; a
+ * blow changes no momentum and adds no energy. A tick in which nothing fast meets does not come
+ * here.
+ *
+ * <p>Source: B. Mirtich, "Timewarp rigid body simulation" (SIGGRAPH 2000), for the order of events.
+ */
+@NullMarked
+package dev.cairn.physics.contact.blow;
+
+import org.jspecify.annotations.NullMarked;
