@@ -59,7 +59,7 @@ class WallTest {
         Shape shape = shape(random);
         double speed = StrictMath.pow(10, 1 + 4 * random.nextDouble());
         double thick = StrictMath.pow(10, -3 + 2.5 * random.nextDouble());
-        double spin = random.nextInt(3) == 0 ? 0 : StrictMath.pow(10, 2.5 * random.nextDouble());
+        double spin = random.nextInt(3) == 0 ? 0 : StrictMath.pow(10, 6 * random.nextDouble());
         double drive =
                 kind == 0
                         ? 0

@@ -49,6 +49,7 @@ public final class SweepStage {
     static final byte HARMLESS = 1;
     private static final byte CLOSING = 2;
     private static final byte MISSING = 3;
+    private static final byte LOST = 4;
 
     private final BlockJob sortJob = this::sortBlock;
     private final BlockJob sweepJob = this::sweepBlock;
@@ -218,7 +219,7 @@ public final class SweepStage {
         boolean strikes = false;
         for (int i = 0; i < c.activeCount; i++) {
             if (when[i] < Double.POSITIVE_INFINITY) {
-                stage.add(c.active[i], when[i]);
+                stage.add(c.active[i], when[i], state[i] == LOST);
                 strikes = true;
             }
         }
@@ -329,8 +330,10 @@ public final class SweepStage {
                 }
                 continue;
             }
-            if (pair.meet(row, step)) {
+            boolean meet = pair.meet(row, step);
+            if (meet || pair.isUndecided()) {
                 when[i] = isFast(row, VERY_FAST) ? pair.time() : when[i];
+                state[i] = meet ? CLOSING : LOST;
                 meets[c.bodyA[row]] = true;
                 meets[c.bodyB[row]] = true;
                 pair.collideThere(row, reach);

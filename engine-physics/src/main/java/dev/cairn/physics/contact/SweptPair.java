@@ -22,6 +22,9 @@ final class SweptPair implements MovingPair {
     /** Steps; a pair that is near and has not been decided by then is taken to meet. */
     private static final int MOST_STEPS = 128;
 
+    /** Steps; a pair that has not been decided by then is not swept. */
+    private static final int MOST_IN_ALL = 512;
+
     /** Of the sizes: what is near then. */
     private static final double NEAR = 0x1p-16;
 
@@ -55,7 +58,8 @@ final class SweptPair implements MovingPair {
     private final PointStore points;
     private final PointStore.Scratch scratch = new PointStore.Scratch();
     private final NarrowPhase narrowPhase = new NarrowPhase();
-    private final FirstMeeting search = new FirstMeeting(narrowPhase, MOST_STEPS, NEAR);
+    private final FirstMeeting search =
+            new FirstMeeting(narrowPhase, MOST_STEPS, NEAR, MOST_IN_ALL);
     private final Manifold manifold = new Manifold();
     private final Flight a = new Flight(), b = new Flight();
     private final double[] v = new double[3];
@@ -152,12 +156,13 @@ final class SweptPair implements MovingPair {
      * meeting; or neither, until the tick ends.
      */
     private boolean part() {
-        double inner = Math.min(colliders.innerRadius[slotA], colliders.innerRadius[slotB]);
+        double inner = inner();
         double least = SHORT * inner / search.fastest();
         double span = least;
         double before = search.gap(time);
         double deep = Math.min(before, 0) - SUNK * inner;
-        for (double t = time; t < step; ) {
+        double t = time;
+        for (int i = 0; i < MOST_IN_ALL && t < step; i++) {
             double next = Math.min(Math.max(t + span, Math.nextUp(t)), step);
             double gap = search.gap(next);
             if (gap > 3 * met) {
@@ -180,8 +185,23 @@ final class SweptPair implements MovingPair {
     }
 
     @Override
+    public Manifold across() {
+        double gap =
+                narrowPhase.distance(
+                        a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, apartX(),
+                        apartY(), apartZ());
+        collide(Math.max(0, gap) + met + THERE * inner());
+        return manifold;
+    }
+
+    @Override
     public boolean stays() {
         return stays;
+    }
+
+    @Override
+    public boolean isUndecided() {
+        return search.isUndecided;
     }
 
     @Override
@@ -207,8 +227,13 @@ final class SweptPair implements MovingPair {
 
     @Override
     public Manifold there() {
-        collide(met + THERE * Math.min(colliders.innerRadius[slotA], colliders.innerRadius[slotB]));
+        collide(met + THERE * inner());
         return manifold;
+    }
+
+    /** Of the thinner one, m. */
+    private double inner() {
+        return Math.min(colliders.innerRadius[slotA], colliders.innerRadius[slotB]);
     }
 
     private void collide(double margin) {
@@ -258,7 +283,7 @@ final class SweptPair implements MovingPair {
         double wayX = b.x - a.x;
         double wayY = b.y - a.y;
         double wayZ = b.z - a.z;
-        double thin = Math.min(colliders.innerRadius[slotA], colliders.innerRadius[slotB]);
+        double thin = inner();
         double way = wayX * wayX + wayY * wayY + wayZ * wayZ;
         double turned = (a.rim() + b.rim()) * time;
         boolean balls =
@@ -272,8 +297,7 @@ final class SweptPair implements MovingPair {
 
     @Override
     public Manifold tell(int row, double reach) {
-        double thin = Math.min(colliders.innerRadius[slotA], colliders.innerRadius[slotB]);
-        collide(bounds.margin(slotA, slotB, reach, thin));
+        collide(bounds.margin(slotA, slotB, reach, inner()));
         if (manifold.pointCount == 0) {
             return manifold;
         }

@@ -40,7 +40,7 @@ public final class FirstMeeting {
     private static final double MOST_BOLD = 0x1p12;
 
     private final NarrowPhase narrowPhase;
-    private final int mostSteps;
+    private final int mostSteps, mostInAll;
     private final double near;
 
     private Flight a = new Flight(), b = new Flight();
@@ -61,17 +61,34 @@ public final class FirstMeeting {
     /** Whether the search gave up while they were near, and takes them to have met. */
     public boolean capped;
 
+    /** Whether the search gave up while they were not near: free until {@link #time}. */
+    public boolean isUndecided;
+
     /**
-     * A search.
+     * A search that ends only when it knows.
      *
      * @param narrowPhase measures distances
      * @param mostSteps distances to measure before it gives up
      * @param near it gives up only when they are no farther apart than this part of their sizes
      */
     public FirstMeeting(NarrowPhase narrowPhase, int mostSteps, double near) {
+        this(narrowPhase, mostSteps, near, Integer.MAX_VALUE);
+    }
+
+    /**
+     * A search that ends: who turns a hundred times in a tick, close to another one, is not
+     * followed to the end.
+     *
+     * @param narrowPhase measures distances
+     * @param mostSteps see above
+     * @param near see above
+     * @param mostInAll distances to measure before it gives up however far apart they are
+     */
+    public FirstMeeting(NarrowPhase narrowPhase, int mostSteps, double near, int mostInAll) {
         this.narrowPhase = narrowPhase;
         this.mostSteps = mostSteps;
         this.near = near;
+        this.mostInAll = mostInAll;
     }
 
     /**
@@ -86,7 +103,8 @@ public final class FirstMeeting {
      * @param end when it ends, s; at it they may meet
      * @param nearer nearer than that counts as met, m, at least 0
      * @param size what {@code near} is a part of, m
-     * @return whether they meet; tells {@link #time} and the axis, and leaves both shapes there
+     * @return whether they meet; tells {@link #time} and the axis, and leaves both shapes there.
+     *     Where {@link #isUndecided}, it is not known
      */
     public boolean find(
             Flight first,
@@ -107,6 +125,7 @@ public final class FirstMeeting {
         met = nearer;
         scale = size;
         capped = false;
+        isUndecided = false;
         time = from;
         if (search(near * scale)) {
             a.move(time);
@@ -132,6 +151,10 @@ public final class FirstMeeting {
             if (step > mostSteps && d <= nearby) {
                 capped = true;
                 return true;
+            }
+            if (step > mostInAll) {
+                isUndecided = true;
+                return false;
             }
             double span = Math.min(trial(d, slope, bend() / boldness), most);
             double next = Math.min(time + span, until);

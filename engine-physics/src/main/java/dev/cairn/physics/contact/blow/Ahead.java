@@ -87,14 +87,15 @@ final class Ahead {
         }
         int a = Math.min(collider, other);
         int b = Math.max(collider, other);
-        if (pair.meet(a, b, time, step)) {
+        if (pair.meet(a, b, time, step) || pair.isUndecided()) {
             queue.add(
                     pair.time(),
                     a,
                     b,
                     bodies.blows[colliders.body[a]],
                     bodies.blows[colliders.body[b]],
-                    bodies.row(colliders.body[a], a, b));
+                    bodies.row(colliders.body[a], a, b),
+                    pair.isUndecided());
         }
     }
 

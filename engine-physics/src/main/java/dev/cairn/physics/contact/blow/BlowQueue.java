@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /** Meetings to come, earliest first; of those at one time the one of the lowest colliders. */
 final class BlowQueue {
-    private static final int INTS = 5;
+    private static final int INTS = 6;
 
     private double[] times = new double[64];
     private int[] meeting = new int[64 * INTS];
@@ -21,11 +21,14 @@ final class BlowQueue {
     /** The row of the two, or -1. */
     int row;
 
+    /** Whether it is no meeting: nobody knows what comes after. */
+    boolean isLost;
+
     void clear() {
         size = 0;
     }
 
-    void add(double t, int lower, int upper, int ofLower, int ofUpper, int contact) {
+    void add(double t, int lower, int upper, int ofLower, int ofUpper, int contact, boolean lost) {
         if (size == times.length) {
             times = Arrays.copyOf(times, 2 * size);
             meeting = Arrays.copyOf(meeting, 2 * size * INTS);
@@ -38,6 +41,7 @@ final class BlowQueue {
         meeting[at + 2] = ofLower;
         meeting[at + 3] = ofUpper;
         meeting[at + 4] = contact;
+        meeting[at + 5] = lost ? 1 : 0;
         while (i > 0 && isBefore(i, (i - 1) / 2)) {
             swap(i, (i - 1) / 2);
             i = (i - 1) / 2;
@@ -55,6 +59,7 @@ final class BlowQueue {
         strikesA = meeting[2];
         strikesB = meeting[3];
         row = meeting[4];
+        isLost = meeting[5] != 0;
         swap(0, --size);
         for (int i = 0, child = 1; child < size; child = 2 * i + 1) {
             if (child + 1 < size && isBefore(child + 1, child)) {

@@ -24,7 +24,7 @@ public final class BlowStage {
     private static final int MOST_BLOWS = 64;
 
     /** The same of those that bounce. */
-    private static final int MOST_BOUNCES = 4096;
+    private static final int MOST_BOUNCES = 256;
 
     /** Share of a tick: what meets a body within it is one blow, and left to the solver. */
     private static final double SOON = 1e-9;
@@ -113,9 +113,14 @@ public final class BlowStage {
         return bodies.fits(row);
     }
 
-    /** A row whose bodies meet at a time, s after the tick's start. */
-    public void add(int row, double time) {
-        queue.add(time, contacts.colliderA[row], contacts.colliderB[row], 0, 0, row);
+    /**
+     * A row whose bodies meet.
+     *
+     * @param time when, s after the tick's start
+     * @param isLost whether they do not, but nobody knows what they do from there on
+     */
+    public void add(int row, double time, boolean isLost) {
+        queue.add(time, contacts.colliderA[row], contacts.colliderB[row], 0, 0, row, isLost);
     }
 
     /**
@@ -134,11 +139,17 @@ public final class BlowStage {
             if (!isOpen()) {
                 continue;
             }
+            if (queue.isLost) {
+                lose(queue.a, queue.b, queue.time);
+                continue;
+            }
             take(queue.a, queue.b, queue.row);
             double first = queue.time;
             while (queue.next() <= first + SOON * step) {
                 queue.poll();
-                if (isOpen()) {
+                if (isOpen() && queue.isLost) {
+                    lose(queue.a, queue.b, queue.time);
+                } else if (isOpen()) {
                     take(queue.a, queue.b, queue.row);
                 }
             }
@@ -291,6 +302,7 @@ public final class BlowStage {
             shift(b, 6, time);
         }
         boolean again = pair.meetAgain(first, second, time, step);
+        boolean isLost = !again && pair.isUndecided();
         boolean isIdle =
                 !(closing > 0)
                         && ++bodies.idle[colliders.bodies.kind[a] == BodyStore.DYNAMIC ? a : b]
@@ -301,13 +313,11 @@ public final class BlowStage {
         }
         int most = of.restitution[like] > 0 ? MOST_BOUNCES : MOST_BLOWS;
         if (isIdle || bodies.blows[a] >= most || bodies.blows[b] >= most) {
-            // the lighter one
-            boolean isFirst = weight(a) >= weight(b);
-            stop(isFirst ? first : second, isFirst ? 0 : 1, m, time);
+            stop(first, second, m, time);
             return;
         }
-        if (again) {
-            queue.add(pair.time(), first, second, bodies.blows[a], bodies.blows[b], row);
+        if (again || isLost) {
+            queue.add(pair.time(), first, second, bodies.blows[a], bodies.blows[b], row, isLost);
         }
         if (closing > 0) {
             ahead.follow(a, time);
@@ -322,13 +332,28 @@ public final class BlowStage {
         return isStopped ? colliders.bodies.inverseMass[body] : -1;
     }
 
+    /** Stops one of two that turn too often in a tick to be followed. */
+    private void lose(int first, int second, double time) {
+        if (!bodies.fits(first, second)) {
+            return;
+        }
+        pair.place(first, second, time, step);
+        Manifold m = pair.across();
+        if (m.pointCount > 0) {
+            blow(m, first, second, 0, 0, time);
+            System.arraycopy(blow.before, 0, blow.after, 0, blow.after.length);
+            stop(first, second, m, time);
+        }
+    }
+
     /**
-     * A body that strikes another one more often than anybody can follow stays where it is, and
-     * goes along with that: it loses the rest of the tick.
+     * Of two that strike each other more often than anybody can follow, the lighter one stays where
+     * it is, and goes along with the other: it loses the rest of the tick.
      */
-    private void stop(int collider, int side, Manifold m, double time) {
+    private void stop(int first, int second, Manifold m, double time) {
         BodyStore s = colliders.bodies;
-        int body = colliders.body[collider];
+        int side = weight(colliders.body[first]) >= weight(colliders.body[second]) ? 0 : 1;
+        int body = colliders.body[side == 0 ? first : second];
         if (s.kind[body] != BodyStore.DYNAMIC || bodies.free[body] != 0) {
             return;
         }

@@ -42,6 +42,12 @@ public interface MovingPair {
     boolean stays();
 
     /**
+     * Whether the two of the last search, which have not met, turn too often to be followed farther
+     * than {@link #time}.
+     */
+    boolean isUndecided();
+
+    /**
      * Puts two colliders where they are at a time.
      *
      * @param first a collider
@@ -65,6 +71,9 @@ public interface MovingPair {
      * @return with its points from the first collider's centre
      */
     Manifold there();
+
+    /** As {@link #there}, however far apart they are. */
+    Manifold across();
 
     /** How a collider lies when they meet: the first one's way. */
     Flight first();
