@@ -50,6 +50,7 @@ public final class SweepStage {
     private static final byte CLOSING = 2;
     private static final byte MISSING = 3;
     private static final byte LOST = 4;
+    private static final byte SLOW = 5;
 
     private final BlockJob sortJob = this::sortBlock;
     private final BlockJob sweepJob = this::sweepBlock;
@@ -73,6 +74,9 @@ public final class SweepStage {
 
     /** By body: 0 if its motion is free, 1 if it touches somebody, 2 if it is bound otherwise. */
     private byte[] bound = {};
+
+    /** By body: it closes with somebody within the tick, slower than what is looked at. */
+    private boolean[] slow = {};
 
     /** By body: it meets somebody within the tick. */
     private boolean[] meets = {};
@@ -126,8 +130,10 @@ public final class SweepStage {
         if (bound.length < slots) {
             bound = new byte[slots + (slots >> 1)];
             meets = new boolean[bound.length];
+            slow = new boolean[bound.length];
         }
         Arrays.fill(bound, 0, slots, (byte) 0);
+        Arrays.fill(slow, 0, slots, false);
         jobs.run(sortJob, blocks);
         any = false;
         for (int b = 0; b < blocks; b++) {
@@ -192,6 +198,9 @@ public final class SweepStage {
             if (state[i] == TOUCHING) {
                 bound[c.bodyA[row]] = 1;
                 bound[c.bodyB[row]] = 1;
+            } else if (state[i] == SLOW) {
+                slow[c.bodyA[row]] = true;
+                slow[c.bodyB[row]] = true;
             } else {
                 count += state[i] == CLOSING ? 1 : 0;
             }
@@ -248,10 +257,9 @@ public final class SweepStage {
         ContactStore c = contacts;
         int first = ContactStore.POINTS * row;
         int end = first + c.pointCount[row];
+        boolean touches = false;
         for (int p = first; p < end; p++) {
-            if (c.separation[p] <= 0 || c.normalImpulse[p] > 0) {
-                return TOUCHING;
-            }
+            touches |= c.separation[p] <= 0 || c.normalImpulse[p] > 0;
         }
         if (!(Reach.fits(colliders.shape[c.colliderA[row]])
                 && Reach.fits(colliders.shape[c.colliderB[row]]))) {
@@ -260,7 +268,7 @@ public final class SweepStage {
         double most = step * Math.max(closing(row, false), closing(row, true));
         for (int p = first; p < end; p++) {
             if (most >= c.separation[p]) {
-                return isFast(row, FAST) ? CLOSING : TOUCHING;
+                return touches ? TOUCHING : isFast(row, FAST) ? CLOSING : SLOW;
             }
         }
         return HARMLESS;
@@ -359,7 +367,8 @@ public final class SweepStage {
 
     /** A body that does not answer to contacts goes its way in any case. */
     private boolean isFree(int body) {
-        return colliders.bodies.kind[body] != BodyStore.DYNAMIC || bound[body] == 0;
+        return colliders.bodies.kind[body] != BodyStore.DYNAMIC
+                || (bound[body] == 0 && !slow[body]);
     }
 
     private boolean isAlone(int body) {

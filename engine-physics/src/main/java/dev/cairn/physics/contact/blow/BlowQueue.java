@@ -28,6 +28,20 @@ final class BlowQueue {
         size = 0;
     }
 
+    int size() {
+        return size;
+    }
+
+    /** The lower collider of a meeting, in no order. */
+    int first(int i) {
+        return meeting[INTS * i];
+    }
+
+    /** The upper one. */
+    int second(int i) {
+        return meeting[INTS * i + 1];
+    }
+
     void add(double t, int lower, int upper, int ofLower, int ofUpper, int contact, boolean lost) {
         if (size == times.length) {
             times = Arrays.copyOf(times, 2 * size);

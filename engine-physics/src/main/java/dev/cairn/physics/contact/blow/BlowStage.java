@@ -49,6 +49,9 @@ public final class BlowStage {
     /** By body: orientation and angular velocity at the last blow. */
     private double[] last = {};
 
+    /** By row: it is in the queue, or was looked at. */
+    private boolean[] seen = {};
+
     /** Meetings of one time: two colliders and their row. */
     private int[] taken = {};
 
@@ -89,6 +92,9 @@ public final class BlowStage {
         if (last.length < 7 * slots) {
             last = new double[7 * (slots + (slots >> 1))];
         }
+        if (seen.length < contacts.count) {
+            seen = new boolean[contacts.bodyA.length];
+        }
         bodies.begin(freedom);
         outcome.clear();
         queue.clear();
@@ -120,6 +126,7 @@ public final class BlowStage {
      * @param isLost whether they do not, but nobody knows what they do from there on
      */
     public void add(int row, double time, boolean isLost) {
+        seen[row] = true;
         queue.add(time, contacts.colliderA[row], contacts.colliderB[row], 0, 0, row, isLost);
     }
 
@@ -134,6 +141,7 @@ public final class BlowStage {
         start = starts;
         threshold = bounceSpeed;
         bodies.link();
+        gather();
         ahead.begin(boxes, starts, step);
         while (queue.poll()) {
             if (!isOpen()) {
@@ -155,10 +163,65 @@ public final class BlowStage {
             }
             strikeTaken(first);
         }
+        release();
         for (int i = 0; i < bodies.count; i++) {
             int body = bodies.list[i];
             if (!bodies.closed[body] && bodies.free[body] == 0 && !pair.isSteady(body)) {
                 keepTurning(body);
+            }
+        }
+    }
+
+    /**
+     * Blows change who meets whom, so all are struck in the order of their times: slower meetings
+     * come into the queue too, of all that hang together by contacts with who is struck.
+     */
+    private void gather() {
+        bodies.clearMarks();
+        for (int i = 0; i < queue.size(); i++) {
+            bodies.mark(colliders.body[queue.first(i)]);
+            bodies.mark(colliders.body[queue.second(i)]);
+        }
+        for (int i = 0; i < bodies.markedCount; i++) {
+            int body = bodies.marked[i];
+            for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
+                int row = link >> 1;
+                if (seen[row] || !bodies.fits(row)) {
+                    continue;
+                }
+                seen[row] = true;
+                bodies.mark(contacts.bodyA[row]);
+                bodies.mark(contacts.bodyB[row]);
+                if (!contacts.isSolved(row)) {
+                    continue;
+                }
+                int a = contacts.colliderA[row];
+                int b = contacts.colliderB[row];
+                if (!isDead(a, b, row) && (pair.meet(a, b, 0, step) || pair.isUndecided())) {
+                    queue.add(pair.time(), a, b, 0, 0, row, pair.isUndecided());
+                }
+            }
+        }
+        for (int i = 0; i < bodies.markedCount; i++) {
+            int body = bodies.marked[i];
+            for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
+                seen[link >> 1] = false;
+            }
+        }
+    }
+
+    /** Rows of bodies that are followed to the end: all that they meet has been struck. */
+    private void release() {
+        for (int i = 0; i < bodies.markedCount; i++) {
+            int body = bodies.marked[i];
+            for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
+                int row = link >> 1;
+                if (bodies.isFollowed(contacts.bodyA[row])
+                        && bodies.isFollowed(contacts.bodyB[row])
+                        && bodies.fits(row)
+                        && !isDead(contacts.colliderA[row], contacts.colliderB[row], row)) {
+                    contacts.disable(row);
+                }
             }
         }
     }
@@ -284,6 +347,7 @@ public final class BlowStage {
         // in a row the points get their order, which a mirrored scene has too
         Manifold m = row >= 0 ? pair.tell(row, reach) : pair.there();
         if (m.pointCount == 0) {
+            leave(first, second, row, time);
             return;
         }
         int a = colliders.body[first];

@@ -32,6 +32,12 @@ final class Struck {
 
     int count;
 
+    /** Those that move and may be struck, once each. */
+    int[] marked = {};
+
+    int markedCount;
+    private boolean[] isMarked = {};
+
     Struck(ColliderStore colliders, ContactStore contacts) {
         this.colliders = colliders;
         this.contacts = contacts;
@@ -47,12 +53,35 @@ final class Struck {
             late = new double[blows.length];
             head = new int[blows.length];
             list = new int[blows.length];
+            marked = new int[blows.length];
+            isMarked = new boolean[blows.length];
+            markedCount = 0;
         }
         Arrays.fill(blows, 0, slots, 0);
         Arrays.fill(closed, 0, slots, false);
         Arrays.fill(idle, 0, slots, 0);
         Arrays.fill(late, 0, slots, 0.0);
         count = 0;
+    }
+
+    void clearMarks() {
+        for (int i = 0; i < markedCount; i++) {
+            isMarked[marked[i]] = false;
+        }
+        markedCount = 0;
+    }
+
+    void mark(int body) {
+        if (colliders.bodies.kind[body] == BodyStore.DYNAMIC && !isMarked[body]) {
+            isMarked[body] = true;
+            marked[markedCount++] = body;
+        }
+    }
+
+    /** Whether all meetings of a body are looked at within the tick. */
+    boolean isFollowed(int body) {
+        return colliders.bodies.kind[body] != BodyStore.DYNAMIC
+                || (isMarked[body] && !closed[body] && free[body] == 0);
     }
 
     /** Whether two bodies of a row may be struck. */
