@@ -6,7 +6,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.AabbTree;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.RayWalk;
-import dev.cairn.physics.contact.blow.BlowStage;
+import dev.cairn.physics.contact.impact.ImpactStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
@@ -73,7 +73,7 @@ final class CentreGuard {
     private int[] dynamic = {};
     private int dynamicCount;
     private double step;
-    private @Nullable BlowStage blows;
+    private @Nullable ImpactStage impacts;
 
     /** By body slot: it was fast in this tick. */
     private boolean[] fast = {};
@@ -113,10 +113,10 @@ final class CentreGuard {
             byte[] state,
             BroadPhase broadPhase,
             boolean isHooked,
-            @Nullable BlowStage struck,
+            @Nullable ImpactStage struck,
             double stepSeconds,
             Jobs jobs) {
-        blows = struck;
+        impacts = struck;
         dynamic = bodies;
         dynamicCount = count;
         step = stepSeconds;
@@ -237,7 +237,7 @@ final class CentreGuard {
 
     /** The share of the tick after which a collider was struck last. */
     private double late(int c) {
-        return blows == null ? 0 : blows.late(colliders.body[c]);
+        return impacts == null ? 0 : impacts.late(colliders.body[c]);
     }
 
     /**

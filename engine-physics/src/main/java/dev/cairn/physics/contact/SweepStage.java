@@ -4,7 +4,7 @@ import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.BroadPhase;
-import dev.cairn.physics.contact.blow.BlowStage;
+import dev.cairn.physics.contact.impact.ImpactStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
@@ -40,7 +40,7 @@ public final class SweepStage {
     /** Of the smaller inner radius: bodies that pass by less in a tick are not looked at. */
     private static final double FAST = 0.25;
 
-    /** The same: who passes by more is struck within the tick, see {@link BlowStage}. */
+    /** The same: who passes by more is struck within the tick, see {@link ImpactStage}. */
     private static final double VERY_FAST = 1;
 
     private static final byte TIED = 2;
@@ -84,7 +84,7 @@ public final class SweepStage {
     private SweptPair[] pairs = {};
 
     /** Once anybody was fast. */
-    private @Nullable BlowStage blows;
+    private @Nullable ImpactStage impacts;
 
     private boolean any;
     private double step;
@@ -155,11 +155,11 @@ public final class SweepStage {
         for (SweptPair pair : pairs) {
             pair.use(bound);
         }
-        if (blows == null) {
+        if (impacts == null) {
             SweptPair own = new SweptPair(colliders, contacts, bounds, points);
-            blows = new BlowStage(colliders, contacts, own);
+            impacts = new ImpactStage(colliders, contacts, own);
         }
-        blows.begin(bound, step, reach);
+        impacts.begin(bound, step, reach);
         jobs.run(sweepJob, blocks);
         jobs.run(dropJob, blocks);
     }
@@ -209,14 +209,14 @@ public final class SweepStage {
     }
 
     /**
-     * Strikes the blows of fast bodies; before the solve.
+     * Strikes the impacts of fast bodies; before the solve.
      *
      * @param broadPhase boxes of the tick
      * @param bounceSpeed closing speed up to which nothing bounces, m/s
      * @param isHooked whether a hook may let bodies through
      */
     public void strike(BroadPhase broadPhase, double bounceSpeed, boolean isHooked) {
-        BlowStage stage = blows;
+        ImpactStage stage = impacts;
         if (stage == null) {
             return;
         }
@@ -247,10 +247,10 @@ public final class SweepStage {
      */
     public void finish(
             int[] dynamic, int count, BroadPhase broadPhase, boolean isHooked, Jobs jobs) {
-        if (blows != null) {
-            blows.report();
+        if (impacts != null) {
+            impacts.report();
         }
-        guard.run(dynamic, count, state, broadPhase, isHooked, blows, step, jobs);
+        guard.run(dynamic, count, state, broadPhase, isHooked, impacts, step, jobs);
     }
 
     private byte look(int row) {
@@ -321,7 +321,7 @@ public final class SweepStage {
             return;
         }
         SweptPair pair = pairs[worker];
-        BlowStage stage = Objects.requireNonNull(blows);
+        ImpactStage stage = Objects.requireNonNull(impacts);
         int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = c.active[i];

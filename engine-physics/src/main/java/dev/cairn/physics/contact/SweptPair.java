@@ -1,6 +1,6 @@
 package dev.cairn.physics.contact;
 
-import dev.cairn.physics.contact.blow.MovingPair;
+import dev.cairn.physics.contact.impact.MovingPair;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
@@ -40,10 +40,10 @@ final class SweptPair implements MovingPair {
     /** Of the inner radius. */
     private static final double MOST_DOUBT = 0.25;
 
-    /** Of the smaller inner radius: the first look after a blow is that far on. */
+    /** Of the smaller inner radius: the first look after an impact is that far on. */
     private static final double SHORT = 0x1p-12;
 
-    /** Of the smaller inner radius: who sinks so deep after a blow is struck again. */
+    /** Of the smaller inner radius: who sinks so deep after an impact is struck again. */
     private static final double SUNK = 0x1p-8;
 
     /** Of the smaller inner radius: points that far apart are of the meeting. */

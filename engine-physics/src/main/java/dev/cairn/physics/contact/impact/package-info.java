@@ -1,16 +1,16 @@
 /**
- * Fast bodies meet within a tick: the blow is struck at the time and place of the meeting, and the
- * rest of the tick goes on from there.
+ * Fast bodies meet within a tick: the impact is struck at the time and place of the meeting, and
+ * the rest of the tick goes on from there.
  *
  * <p>Problem: a contact has the points and the normal of one moment. Who turns by a radian in a
  * sub-step, or meets several others in a tick, is struck with levers that are none, and what he
- * meets after the first blow nobody has looked for.
+ * meets after the first impact nobody has looked for.
  *
  * <pre>
- *   first meetings ─▶ {@link dev.cairn.physics.contact.blow.BlowQueue}, earliest first
+ *   first meetings ─▶ {@link dev.cairn.physics.contact.impact.ImpactQueue}, earliest first
  *                        │
  *                        ▼
- *   {@link dev.cairn.physics.contact.blow.BlowStage}: pose of that moment ─▶ {@link dev.cairn.physics.contact.blow.Blow}: impulse ─▶ other velocities, start moved
+ *   {@link dev.cairn.physics.contact.impact.ImpactStage}: pose of that moment ─▶ {@link dev.cairn.physics.contact.impact.Impact}: impulse ─▶ other velocities, start moved
  *                        ▲                                                        │
  *                        └──── meetings of the struck with whatever is ahead ◀────┘
  * </pre>
@@ -19,13 +19,13 @@
  * by -t dv, so the solver flies the whole tick, and no time is lost. Who stays in touch is left to
  * the solver, with the contact of that moment.
  *
- * <p>Invariants: blows are struck in the order of their times, then of colliders, on one thread; a
- * blow changes no momentum and adds no energy. A tick in which nothing fast meets does not come
+ * <p>Invariants: impacts are struck in the order of their times, then of colliders, on one thread;
+ * a impact changes no momentum and adds no energy. A tick in which nothing fast meets does not come
  * here.
  *
  * <p>Source: B. Mirtich, "Timewarp rigid body simulation" (SIGGRAPH 2000), for the order of events.
  */
 @NullMarked
-package dev.cairn.physics.contact.blow;
+package dev.cairn.physics.contact.impact;
 
 import org.jspecify.annotations.NullMarked;

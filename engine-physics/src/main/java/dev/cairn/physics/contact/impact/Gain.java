@@ -1,11 +1,12 @@
-package dev.cairn.physics.contact.blow;
+package dev.cairn.physics.contact.impact;
 
 /**
- * The energy that a blow would make.
+ * The energy that an impact would make.
  *
  * <p>The work of all impulses is their sum times the mean of the velocities before and after: with
  * the velocities v and their change c, in the metric of mass, {@code 2 v.c + c²}, which is least
- * where the blow is scaled by {@code -v.c / c²}. Of what a moving wall does, as seen from the wall.
+ * where the impact is scaled by {@code -v.c / c²}. Of what a moving wall does, as seen from the
+ * wall.
  */
 final class Gain {
     /** What is rounding, over the energy. */
@@ -14,12 +15,12 @@ final class Gain {
     private Gain() {}
 
     /**
-     * Which share of a blow makes no energy.
+     * Which share of an impact makes no energy.
      *
      * @param mass by side: inverse, 1/kg
      * @param inverse by side: inverse inertia, world, 9 numbers
      * @param before by side: velocity and angular velocity
-     * @param after the same after the blow
+     * @param after the same after the impact
      * @param mid by side: from the body's centre to the middle of the impulses
      * @return 1, or less
      */

@@ -1,4 +1,4 @@
-package dev.cairn.physics.contact.blow;
+package dev.cairn.physics.contact.impact;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -8,7 +8,7 @@ import dev.cairn.physics.sweep.Flight;
 
 import java.util.Arrays;
 
-/** What blows leave to do after the solve: bodies that end the tick somewhere, and events. */
+/** What impacts leave to do after the solve: bodies that end the tick somewhere, and events. */
 final class Outcome {
     /** Numbers to a body that is put somewhere: way, orientation, start, velocities. */
     private static final int STOP = 16;
@@ -22,7 +22,7 @@ final class Outcome {
     double[] stops = {};
     private int stopCount;
 
-    /** Rows with blows: how many points they had, and impulses. */
+    /** Rows with impacts: how many points they had, and impulses. */
     private int[] hitRow = {}, hitPoints = {};
 
     private double[] hitImpulse = {};

@@ -1,9 +1,9 @@
-package dev.cairn.physics.contact.blow;
+package dev.cairn.physics.contact.impact;
 
 import java.util.Arrays;
 
 /** Meetings to come, earliest first; of those at one time the one of the lowest colliders. */
-final class BlowQueue {
+final class ImpactQueue {
     private static final int INTS = 6;
 
     private double[] times = new double[64];

@@ -1,11 +1,11 @@
-package dev.cairn.physics.contact.blow;
+package dev.cairn.physics.contact.impact;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
- * The impulses of one blow between two bodies, at the poses of that moment.
+ * The impulses of one impact between two bodies, at the poses of that moment.
  *
  * <p>For each point that touches then, with the speed v of separation before and v' after,
  *
@@ -15,11 +15,11 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
  *
  * by equal impulses as a first guess and sweeps until nothing changes; then friction in the middle
  * of the points, up to mu times the sum. What several points with friction would gain of energy is
- * taken back by scaling the whole blow to where the energy is least.
+ * taken back by scaling the whole impact to where the energy is least.
  *
  * <p>One thread. Allocates nothing.
  */
-final class Blow {
+final class Impact {
     private static final int SWEEPS = 256;
     private static final int MOST = 4;
 
@@ -414,7 +414,7 @@ final class Blow {
     }
 
     /**
-     * How fast the point of the blow of a side moves along the normal, m/s.
+     * How fast the point of the impact of a side moves along the normal, m/s.
      *
      * @param side 0 or 1
      */

@@ -1,4 +1,4 @@
-package dev.cairn.physics.contact.blow;
+package dev.cairn.physics.contact.impact;
 
 import dev.cairn.physics.broadphase.AabbTree;
 import dev.cairn.physics.broadphase.BroadPhase;
@@ -11,7 +11,7 @@ final class Ahead {
     private final ColliderStore colliders;
     private final Struck bodies;
     private final MovingPair pair;
-    private final BlowQueue queue;
+    private final ImpactQueue queue;
     private final RayWalk walk = new RayWalk();
     private final double[] box = new double[6];
 
@@ -20,7 +20,7 @@ final class Ahead {
     private double[] start = {};
     private double step;
 
-    Ahead(ColliderStore colliders, Struck bodies, MovingPair pair, BlowQueue queue) {
+    Ahead(ColliderStore colliders, Struck bodies, MovingPair pair, ImpactQueue queue) {
         this.colliders = colliders;
         this.bodies = bodies;
         this.pair = pair;
@@ -61,7 +61,7 @@ final class Ahead {
                     y * inverse,
                     z * inverse);
             for (int other = walk.next(way); other != AabbTree.NONE; other = walk.next(way)) {
-                if (bodies.blows[colliders.body[other]] == 0) {
+                if (bodies.impacts[colliders.body[other]] == 0) {
                     look(body, other, time);
                 }
             }
@@ -92,8 +92,8 @@ final class Ahead {
                     pair.time(),
                     a,
                     b,
-                    bodies.blows[colliders.body[a]],
-                    bodies.blows[colliders.body[b]],
+                    bodies.impacts[colliders.body[a]],
+                    bodies.impacts[colliders.body[b]],
                     bodies.row(colliders.body[a], a, b),
                     pair.isUndecided());
         }
@@ -103,7 +103,7 @@ final class Ahead {
     private boolean isOutOfReach(int collider, int other, double time) {
         BodyStore s = colliders.bodies;
         int body = colliders.body[other];
-        if (bodies.blows[body] == 0 || bodies.blows[collider] == 0) {
+        if (bodies.impacts[body] == 0 || bodies.impacts[collider] == 0) {
             return false;
         }
         double vx = s.velocityX[body] - s.velocityX[collider];

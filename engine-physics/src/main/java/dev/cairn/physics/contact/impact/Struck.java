@@ -1,4 +1,4 @@
-package dev.cairn.physics.contact.blow;
+package dev.cairn.physics.contact.impact;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -7,7 +7,7 @@ import dev.cairn.physics.narrowphase.pair.Reach;
 
 import java.util.Arrays;
 
-/** Bodies in a tick with blows: who may be struck, who was, and the rows of each. */
+/** Bodies in a tick with impacts: who may be struck, who was, and the rows of each. */
 final class Struck {
     private final ColliderStore colliders;
     private final ContactStore contacts;
@@ -15,13 +15,13 @@ final class Struck {
     /** By body: 0 if it is free, 1 if it touches somebody, 2 if it is bound otherwise. */
     byte[] free = {};
 
-    /** By body: blows in this tick, and meetings without a blow. */
-    int[] blows = {}, idle = {};
+    /** By body: impacts in this tick, and meetings without an impact. */
+    int[] impacts = {}, idle = {};
 
     /** By body: it is the solver's. */
     boolean[] closed = {};
 
-    /** By body: share of the tick at its last blow. */
+    /** By body: share of the tick at its last impact. */
     double[] late = {};
 
     /** By body: the first of its rows; by row and side: the next one. */
@@ -46,18 +46,18 @@ final class Struck {
     void begin(byte[] freedom) {
         free = freedom;
         int slots = colliders.bodies.slotCount;
-        if (blows.length < slots) {
-            blows = new int[slots + (slots >> 1)];
-            closed = new boolean[blows.length];
-            idle = new int[blows.length];
-            late = new double[blows.length];
-            head = new int[blows.length];
-            list = new int[blows.length];
-            marked = new int[blows.length];
-            isMarked = new boolean[blows.length];
+        if (impacts.length < slots) {
+            impacts = new int[slots + (slots >> 1)];
+            closed = new boolean[impacts.length];
+            idle = new int[impacts.length];
+            late = new double[impacts.length];
+            head = new int[impacts.length];
+            list = new int[impacts.length];
+            marked = new int[impacts.length];
+            isMarked = new boolean[impacts.length];
             markedCount = 0;
         }
-        Arrays.fill(blows, 0, slots, 0);
+        Arrays.fill(impacts, 0, slots, 0);
         Arrays.fill(closed, 0, slots, false);
         Arrays.fill(idle, 0, slots, 0);
         Arrays.fill(late, 0, slots, 0.0);

@@ -1,4 +1,4 @@
-package dev.cairn.physics.contact.blow;
+package dev.cairn.physics.contact.impact;
 
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
@@ -11,7 +11,7 @@ import dev.cairn.physics.sweep.Flight;
 import java.util.Arrays;
 
 /**
- * Strikes the blows of fast bodies within a tick, each at its time; see the package.
+ * Strikes the impacts of fast bodies within a tick, each at its time; see the package.
  *
  * <p>Bodies of one convex shape that nothing binds take part; what they meet may be anything convex
  * that nothing but contacts binds. A body that is struck loses the contacts of the tick's start,
@@ -19,22 +19,22 @@ import java.util.Arrays;
  *
  * <p>Simulation thread; allocates only when something grows.
  */
-public final class BlowStage {
-    /** Blows of a body in a tick; what follows is the solver's. */
+public final class ImpactStage {
+    /** Impacts of a body in a tick; what follows is the solver's. */
     private static final int MOST_BLOWS = 64;
 
     /** The same of those that bounce. */
     private static final int MOST_BOUNCES = 256;
 
-    /** Share of a tick: what meets a body within it is one blow, and left to the solver. */
+    /** Share of a tick: what meets a body within it is one impact, and left to the solver. */
     private static final double SOON = 1e-9;
 
     private static final double[] NO_START = {};
 
     private final ColliderStore colliders;
     private final ContactStore contacts;
-    private final BlowQueue queue = new BlowQueue();
-    private final Blow blow = new Blow();
+    private final ImpactQueue queue = new ImpactQueue();
+    private final Impact impact = new Impact();
     private final MovingPair pair;
     private final Struck bodies;
     private final Ahead ahead;
@@ -46,7 +46,7 @@ public final class BlowStage {
     private final Spin spin = new Spin();
     private final Outcome outcome;
 
-    /** By body: orientation and angular velocity at the last blow. */
+    /** By body: orientation and angular velocity at the last impact. */
     private double[] last = {};
 
     /** By row: it is in the queue, or was looked at. */
@@ -68,7 +68,7 @@ public final class BlowStage {
      * @param contacts the rows
      * @param pair measures meetings
      */
-    public BlowStage(ColliderStore colliders, ContactStore contacts, MovingPair pair) {
+    public ImpactStage(ColliderStore colliders, ContactStore contacts, MovingPair pair) {
         this.colliders = colliders;
         this.contacts = contacts;
         this.pair = pair;
@@ -173,7 +173,7 @@ public final class BlowStage {
     }
 
     /**
-     * Blows change who meets whom, so all are struck in the order of their times: slower meetings
+     * Impacts change who meets whom, so all are struck in the order of their times: slower meetings
      * come into the queue too, of all that hang together by contacts with who is struck.
      */
     private void gather() {
@@ -228,7 +228,7 @@ public final class BlowStage {
 
     /**
      * Who tumbles ends the tick as he was looked at: turned at the angular velocity of the last
-     * blow. His angular momentum is that of then, and his energy no more.
+     * impact. His angular momentum is that of then, and his energy no more.
      */
     private void keepTurning(int body) {
         BodyStore s = colliders.bodies;
@@ -248,7 +248,7 @@ public final class BlowStage {
     private boolean isOpen() {
         int a = colliders.body[queue.a];
         int b = colliders.body[queue.b];
-        return queue.isFresh(bodies.blows[a], bodies.blows[b])
+        return queue.isFresh(bodies.impacts[a], bodies.impacts[b])
                 && !bodies.closed[a]
                 && !bodies.closed[b];
     }
@@ -282,7 +282,7 @@ public final class BlowStage {
         }
     }
 
-    /** A blow without a bounce against what is fixed: the contact and the guard do it. */
+    /** An impact without a bounce against what is fixed: the contact and the guard do it. */
     private boolean isDead(int a, int b, int row) {
         byte[] kind = colliders.bodies.kind;
         if (kind[colliders.body[a]] != BodyStore.STATIC
@@ -312,14 +312,14 @@ public final class BlowStage {
         int b = colliders.body[second];
         bodies.closed[a] = colliders.bodies.kind[a] == BodyStore.DYNAMIC;
         bodies.closed[b] = colliders.bodies.kind[b] == BodyStore.DYNAMIC;
-        boolean isStruck = bodies.blows[a] > 0 || bodies.blows[b] > 0;
+        boolean isStruck = bodies.impacts[a] > 0 || bodies.impacts[b] > 0;
         if (row >= 0 && (isStruck || !contacts.isSolved(row))) {
             pair.place(first, second, time, step);
             pair.tell(row, reach);
         }
         for (int side = 0; side < 2; side++) {
             int body = side == 0 ? a : b;
-            if (!bodies.closed[body] || bodies.blows[body] == 0 || bodies.free[body] != 0) {
+            if (!bodies.closed[body] || bodies.impacts[body] == 0 || bodies.free[body] != 0) {
                 continue;
             }
             for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
@@ -339,7 +339,7 @@ public final class BlowStage {
     /** Whether the other body of a row goes another way than the row was told of. */
     private boolean isStruckElsewhere(int row, int body) {
         int other = contacts.bodyA[row] == body ? contacts.bodyB[row] : contacts.bodyA[row];
-        return colliders.bodies.kind[other] == BodyStore.DYNAMIC && bodies.blows[other] > 0;
+        return colliders.bodies.kind[other] == BodyStore.DYNAMIC && bodies.impacts[other] > 0;
     }
 
     private void strike(int first, int second, int row, double time) {
@@ -359,9 +359,9 @@ public final class BlowStage {
             // from here on it is the solver's only if they stay in touch
             contacts.disable(row);
         }
-        double closing = blow(m, first, second, of.restitution[like], of.friction(like), time);
+        double closing = impact(m, first, second, of.restitution[like], of.friction(like), time);
         if (closing > 0) {
-            outcome.note(row, m, blow.sum);
+            outcome.note(row, m, impact.sum);
             shift(a, 0, time);
             shift(b, 6, time);
         }
@@ -376,12 +376,13 @@ public final class BlowStage {
             return;
         }
         int most = of.restitution[like] > 0 ? MOST_BOUNCES : MOST_BLOWS;
-        if (isIdle || bodies.blows[a] >= most || bodies.blows[b] >= most) {
+        if (isIdle || bodies.impacts[a] >= most || bodies.impacts[b] >= most) {
             stop(first, second, m, time);
             return;
         }
         if (again || isLost) {
-            queue.add(pair.time(), first, second, bodies.blows[a], bodies.blows[b], row, isLost);
+            queue.add(
+                    pair.time(), first, second, bodies.impacts[a], bodies.impacts[b], row, isLost);
         }
         if (closing > 0) {
             ahead.follow(a, time);
@@ -404,8 +405,8 @@ public final class BlowStage {
         pair.place(first, second, time, step);
         Manifold m = pair.across();
         if (m.pointCount > 0) {
-            blow(m, first, second, 0, 0, time);
-            System.arraycopy(blow.before, 0, blow.after, 0, blow.after.length);
+            impact(m, first, second, 0, 0, time);
+            System.arraycopy(impact.before, 0, impact.after, 0, impact.after.length);
             stop(first, second, m, time);
         }
     }
@@ -425,12 +426,12 @@ public final class BlowStage {
         for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
             contacts.disable(link >> 1);
         }
-        double carried = (step - time) * blow.carrier(1 - side, m);
+        double carried = (step - time) * impact.carrier(1 - side, m);
         int at = outcome.put(body, side == 0 ? pair.first() : pair.second());
         outcome.stops[at] += carried * m.normalX;
         outcome.stops[at + 1] += carried * m.normalY;
         outcome.stops[at + 2] += carried * m.normalZ;
-        System.arraycopy(blow.after, 6 * side, outcome.stops, at + 10, 6);
+        System.arraycopy(impact.after, 6 * side, outcome.stops, at + 10, 6);
     }
 
     private int mix(int first, int second) {
@@ -438,7 +439,7 @@ public final class BlowStage {
         return 0;
     }
 
-    private double blow(
+    private double impact(
             Manifold m, int first, int second, double restitution, double friction, double time) {
         Flight f = pair.first();
         Flight g = pair.second();
@@ -451,11 +452,11 @@ public final class BlowStage {
         double bx = cx + pair.apartX() - g.armX;
         double by = cy + pair.apartY() - g.armY;
         double bz = cz + pair.apartZ() - g.armZ;
-        return blow.strike(m, cx, cy, cz, bx, by, bz, restitution, friction, threshold);
+        return impact.strike(m, cx, cy, cz, bx, by, bz, restitution, friction, threshold);
     }
 
     private void side(int side, int body, Flight f, double time) {
-        blow.side(
+        impact.side(
                 side,
                 colliders.bodies,
                 body,
@@ -468,13 +469,13 @@ public final class BlowStage {
                 f.vz + time * f.az);
     }
 
-    /** Gives a body the velocities after the blow; dv at t is dv now from a start at -t dv. */
+    /** Gives a body the velocities after the impact; dv at t is dv now from a start at -t dv. */
     private void shift(int body, int at, double time) {
         BodyStore s = colliders.bodies;
         if (s.kind[body] != BodyStore.DYNAMIC) {
             return;
         }
-        if (bodies.blows[body]++ == 0) {
+        if (bodies.impacts[body]++ == 0) {
             bodies.list[bodies.count++] = body;
             // told of the way before; who touches others keeps what holds him
             for (int link = bodies.head[body];
@@ -483,8 +484,8 @@ public final class BlowStage {
                 contacts.disable(link >> 1);
             }
         }
-        double[] v = blow.before;
-        double[] w = blow.after;
+        double[] v = impact.before;
+        double[] w = impact.after;
         Flight f = at == 0 ? pair.first() : pair.second();
         start[3 * body] = s.positionX[body] + f.x;
         start[3 * body + 1] = s.positionY[body] + f.y;

@@ -1,4 +1,4 @@
-package dev.cairn.physics.contact.blow;
+package dev.cairn.physics.contact.impact;
 
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.sweep.Flight;
