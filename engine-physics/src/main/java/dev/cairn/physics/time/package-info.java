@@ -14,6 +14,7 @@
  *   <li>{@link dev.cairn.physics.time.Rollback}: predict with the inputs that are known, and rewind
  *       and step again when others arrive. After T. Cannon, GGPO, 2009.
  *   <li>{@link dev.cairn.physics.time.Ensemble}: many futures of one state, beside each other.
+ *   <li>{@link dev.cairn.physics.time.Forks}: many forks that wait and share what has not changed.
  * </ul>
  */
 @NullMarked
