@@ -15,13 +15,14 @@ import java.io.OutputStream;
  *              once; how many entries lie differently: which, and the number of their lengths
  *   parts      of each state: entries of its own: kinds, names, counts, references, words
  *   references how many; of each: place, number of the object before and after
+ *   foreseen   how many rows are packed; which, by steps
  *   words      both sums, bytes of heads, how many these are packed, these, how many others, these
  * </pre>
  *
  * Numbers are short ones, see {@link StateOutput#writeShort}; places are told by their steps.
  */
 final class DeltaBytes {
-    private static final Frame FRAME = new Frame("CAIRNDL3", "delta");
+    private static final Frame FRAME = new Frame("CAIRNDL4", "delta");
 
     /** Zeros that a delta may add without a byte for them, and those for each byte of it. */
     private static final long FREE_GROWTH = 64L << 20;
@@ -45,6 +46,10 @@ final class DeltaBytes {
             out.writeShort(d.references.places[i] - (i == 0 ? 0 : d.references.places[i - 1]));
             out.writeObjectShort(d.references.before[i]);
             out.writeObjectShort(d.references.after[i]);
+        }
+        out.writeShort(d.foreseen.length);
+        for (int i = 0; i < d.foreseen.length; i++) {
+            out.writeShort(d.foreseen[i] - (i == 0 ? 0 : d.foreseen[i - 1]));
         }
         words(d.words, out);
     }
@@ -99,6 +104,13 @@ final class DeltaBytes {
             references.before[i] = in.readShortObject();
             references.after[i] = in.readShortObject();
         }
+        int[] foreseen = new int[in.need(1, in.readShort())];
+        for (int i = 0; i < foreseen.length; i++) {
+            foreseen[i] = in.readShort() + (i == 0 ? 0 : foreseen[i - 1]);
+            if (foreseen[i] < 0) {
+                throw new StateException("the delta is damaged: row " + foreseen[i] + " is packed");
+            }
+        }
         DeltaWords words = words(in);
         long growth =
                 Math.abs((long) after.size() - before.size())
@@ -112,7 +124,7 @@ final class DeltaBytes {
                             + " bytes of words");
         }
         return new StateDelta(
-                before, after, alignment, onlyBefore, onlyAfter, words, references, true);
+                before, after, alignment, onlyBefore, onlyAfter, words, references, foreseen, true);
     }
 
     private static DeltaWords words(StateInput in) {

@@ -48,6 +48,10 @@ public final class StateDelta {
 
     final DeltaWords words;
     final References references;
+
+    /** What a {@link StateForesight} packs. */
+    final int[] foreseen;
+
     final boolean isRead;
 
     StateDelta(
@@ -58,6 +62,7 @@ public final class StateDelta {
             @Nullable PackedEntries onlyAfter,
             DeltaWords words,
             References references,
+            int[] foreseen,
             boolean isRead) {
         this.before = before;
         this.after = after;
@@ -68,6 +73,7 @@ public final class StateDelta {
         this.onlyAfter = onlyAfter;
         this.words = words;
         this.references = references;
+        this.foreseen = foreseen;
         this.isRead = isRead;
     }
 
@@ -82,6 +88,9 @@ public final class StateDelta {
         Objects.requireNonNull(before, "before must not be null");
         Objects.requireNonNull(after, "after must not be null");
         Alignment alignment = Alignment.of(before, after);
+        StateColumns first = StateColumns.copying(before);
+        StateColumns second = StateColumns.copying(after);
+        int[] foreseen = foresee(before, first, after, second);
         DeltaWords words = new DeltaWords();
         References references = new References();
         WorldState wideBefore = new WorldState();
@@ -90,18 +99,20 @@ public final class StateDelta {
         int reference = 0;
         int r = 0;
         for (int m = 0; m < alignment.count(); m++) {
-            WorldState a = before;
-            WorldState b = after;
-            int i = m < alignment.head() ? m : m + alignment.before();
-            int k = m < alignment.head() ? m : m + alignment.after();
+            int ea = m < alignment.head() ? m : m + alignment.before();
+            int eb = m < alignment.head() ? m : m + alignment.after();
+            WorldState a = first.holder(ea);
+            WorldState b = second.holder(eb);
+            int i = first.place(ea);
+            int k = second.place(eb);
             boolean isResized = r < alignment.resized().length && alignment.resized()[r] == m;
             if (isResized && alignment.movesAt(r) != null) {
                 wideBefore.clear();
-                alignment.widen(before, i, r, true, wideBefore);
+                alignment.widen(a, i, r, true, wideBefore);
                 a = wideBefore;
                 i = 0;
                 wideAfter.clear();
-                alignment.widen(after, k, r, false, wideAfter);
+                alignment.widen(b, k, r, false, wideAfter);
                 b = wideAfter;
                 k = 0;
             }
@@ -122,7 +133,22 @@ public final class StateDelta {
                 PackedEntries.of(after, alignment.head(), alignment.after()),
                 words.trimmed(),
                 references,
+                foreseen,
                 before.isRead || after.isRead);
+    }
+
+    /** Packs both, if they are foreseen by the same; what was packed. */
+    @SuppressWarnings("ReferenceEquality") // there is one of a kind of world
+    private static int[] foresee(
+            WorldState before, StateColumns first, WorldState after, StateColumns second) {
+        StateForesight known = StateColumns.foresight(before);
+        if (known == null || known != StateColumns.foresight(after)) {
+            return new int[0];
+        }
+        int[] rows = known.rows(first, second);
+        known.pack(first, rows, true);
+        known.pack(second, rows, false);
+        return rows;
     }
 
     /**
@@ -159,14 +185,36 @@ public final class StateDelta {
                             + "; apply deltas in the order of their ticks, and revert them in the"
                             + " opposite order");
         }
+        StateForesight known = foreseen.length == 0 ? null : StateColumns.foresight(state);
+        if (foreseen.length > 0 && known == null) {
+            throw new StateException(
+                    "the state is not the one that the delta starts from: nobody foresees its"
+                            + " numbers, and the delta was made of states of which somebody does");
+        }
+        if (known == null) {
+            packed(state, forward, sum);
+        } else {
+            boolean isFirst = forward;
+            known.pack(StateColumns.inPlace(state), foreseen, isFirst);
+            try {
+                packed(state, forward, sum);
+                isFirst = !forward;
+            } finally {
+                known.unpack(StateColumns.inPlace(state), foreseen, isFirst);
+            }
+        }
+        state.isRead |= isRead;
+    }
+
+    private void packed(WorldState state, boolean forward, long sum) {
         Alignment alignment = alignment();
         if (alignment.isInPlace()) {
+            references.requireFit(state);
             words.apply(state, sum);
             references.apply(state, forward);
         } else {
             laidOut(state, alignment, forward, sum);
         }
-        state.isRead |= isRead;
     }
 
     /** By way of the wide layout, in a second buffer: if it is refused, the first one is there. */
@@ -174,6 +222,7 @@ public final class StateDelta {
         requireFit(state, alignment, forward);
         WorldState wide = state.spare();
         alignment.widen(state, forward, wide);
+        references.requireFit(wide);
         words.apply(wide, sum);
         references.apply(wide, forward);
         boolean wasRead = state.isRead;
@@ -236,7 +285,10 @@ public final class StateDelta {
      * @return true if nothing changes
      */
     public boolean isEmpty() {
-        return words.headLength == 0 && references.count == 0 && alignment().isInPlace();
+        return foreseen.length == 0
+                && words.headLength == 0
+                && references.count == 0
+                && alignment().isInPlace();
     }
 
     /**
@@ -249,6 +301,7 @@ public final class StateDelta {
                 + words.size()
                 + layout.length
                 + 20L * references.count
+                + 4L * foreseen.length
                 + bytesOf(onlyBefore)
                 + bytesOf(onlyAfter);
     }
@@ -328,8 +381,8 @@ public final class StateDelta {
             after = Arrays.copyOf(after, length);
         }
 
-        /** Sets them in a state of the wide layout. */
-        void apply(WorldState wide, boolean forward) {
+        /** Refuses places that a state of the wide layout has not. */
+        void requireFit(WorldState wide) {
             for (int i = 0; i < count; i++) {
                 if (places[i] < 0 || places[i] >= wide.objectCount) {
                     throw new StateException(
@@ -339,6 +392,10 @@ public final class StateDelta {
                                     + wide.objectCount);
                 }
             }
+        }
+
+        /** Sets them in a state of the wide layout. */
+        void apply(WorldState wide, boolean forward) {
             @Nullable Object[] values = forward ? after : before;
             for (int i = 0; i < count; i++) {
                 wide.objects[places[i]] = values[i];

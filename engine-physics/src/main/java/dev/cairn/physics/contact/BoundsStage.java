@@ -47,6 +47,9 @@ public final class BoundsStage {
     /** Numbers of a box. */
     private static final int BOX = 6;
 
+    /** Numbers of a pose. */
+    private static final int POSE = 7;
+
     /**
      * Of each collider, one after the other: velocity at the end of the tick if nothing is in the
      * way, m/s, world x, y and z; and how far turning may carry a surface out within the reach of
@@ -59,6 +62,13 @@ public final class BoundsStage {
 
     /** Of each collider: the box around it when the tick began, world, m, least x to largest z. */
     private double[] tight = {};
+
+    /**
+     * Of each body with one collider: position and orientation when it was looked at last, seven
+     * numbers. Its contacts have been computed from these; a state holds them so that deltas can
+     * foresee points.
+     */
+    private double[] began = {};
 
     private byte[] state = {};
     private double[] box = {};
@@ -158,6 +168,7 @@ public final class BoundsStage {
         ahead = Arrays.copyOf(ahead, AHEAD * n);
         start = Arrays.copyOf(start, 3 * n);
         tight = Arrays.copyOf(tight, BOX * n);
+        began = Arrays.copyOf(began, POSE * n);
         state = Arrays.copyOf(state, n);
         box = Arrays.copyOf(box, BOX * n);
         blockChanges = new int[Blocks.count(n, BODIES_PER_BLOCK)];
@@ -211,6 +222,21 @@ public final class BoundsStage {
         step = s.value("step", step);
         ahead = lying(s, "ahead", ahead, AHEAD, slots);
         tight = lying(s, "tight", tight, BOX, slots);
+        began = s.array("began", began, 0, POSE * slots, began.length, false);
+    }
+
+    private void begin(int slot) {
+        if (bodies.collider[slot] != slot) {
+            return;
+        }
+        int at = POSE * slot;
+        began[at] = bodies.positionX[slot];
+        began[at + 1] = bodies.positionY[slot];
+        began[at + 2] = bodies.positionZ[slot];
+        began[at + 3] = bodies.orientationX[slot];
+        began[at + 4] = bodies.orientationY[slot];
+        began[at + 5] = bodies.orientationZ[slot];
+        began[at + 6] = bodies.orientationW[slot];
     }
 
     private double[] lying(StateVisitor s, String name, double[] column, int numbers, int slots) {
@@ -231,6 +257,7 @@ public final class BoundsStage {
 
     /** Places a fixed body. */
     public void placeFixed(BroadPhase target, int slot) {
+        begin(slot);
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
             tightBox(c);
             setAhead(c, 0, 0, 0, 0);
@@ -247,6 +274,7 @@ public final class BoundsStage {
      * @param stepSeconds length of the tick, s
      */
     public void placeDriven(BroadPhase target, int slot, double stepSeconds) {
+        begin(slot);
         broadPhase = target;
         BodyStore b = bodies;
         step = stepSeconds;
@@ -402,6 +430,7 @@ public final class BoundsStage {
 
     /** Returns 0 if the body's colliders stay in their fat boxes. */
     private int look(int s) {
+        begin(s);
         BodyStore b = bodies;
         double inverseMass = b.inverseMass[s];
         double scale = b.gravityScale[s];

@@ -38,7 +38,6 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     private final Columns.Move move = new Columns.Move();
     private final Columns.Clear clear = new Columns.Clear();
     private final Columns.Kept rows = new Columns.Kept();
-    private final PackedPoints packed = new PackedPoints();
 
     /** Forgets what a row rubbed and rolled with. */
     public void forgetFriction(int row) {
@@ -286,10 +285,8 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         }
         kept = c.column("kept", kept, START, KEPT);
         keeps = c.column("keeps", keeps);
-        if (!(c instanceof Columns.Kept)) {
-            anchors = c.column("anchors", anchors, START, ANCHORS * POINTS);
-            separation = c.column("separation", separation, POINTS);
-        }
+        anchors = c.column("anchors", anchors, START, ANCHORS * POINTS);
+        separation = c.column("separation", separation, POINTS);
         feature = c.column("feature", feature, POINTS);
         normalImpulse = c.column("normalImpulse", normalImpulse, POINTS);
         preload = c.column("preload", preload, POINTS);
@@ -333,7 +330,6 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         }
         ensureCapacity(count);
         columns(rows.of(s, count, bodyA.length, false));
-        packed.state(s, this);
         activeCount = s.value("activeCount", activeCount);
         active = s.array("active", active, 0, activeCount, bodyA.length, false);
     }

@@ -106,7 +106,7 @@ public final class RestDetector {
     }
 
     /**
-     * A body begins, or is woken.
+     * A body begins, falls asleep or is woken: nothing is remembered of it.
      *
      * @param slot of the body
      */
@@ -115,6 +115,8 @@ public final class RestDetector {
         before[slot] = -1;
         rests[slot] = false;
         stayed[slot] = -1;
+        Arrays.fill(start, POSE * slot, POSE * slot + POSE, 0);
+        Arrays.fill(place, POSE * slot, POSE * slot + POSE, 0);
     }
 
     /**

@@ -275,6 +275,7 @@ public final class Sleepers {
         tail[first] = s;
         BodyStore b = bodies;
         b.kind[s] = BodyStore.ASLEEP;
+        quiet.reset(s);
         b.velocityX[s] = 0;
         b.velocityY[s] = 0;
         b.velocityZ[s] = 0;

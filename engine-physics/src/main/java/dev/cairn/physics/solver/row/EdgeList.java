@@ -98,6 +98,7 @@ public final class EdgeList implements Stateful {
     @Override
     public void state(StateVisitor s) {
         s.section("edges", this);
+        s.rows(count);
         count = s.count("count", count);
         contacts = s.value("contacts", contacts);
         s.array("first", first, first.length);
