@@ -20,7 +20,7 @@ record PackedEntries(
     private static final int ENTRY_BYTES = 9;
 
     /** None of a number of 0: null. */
-    static @Nullable PackedEntries of(WorldState from, int first, int count) {
+    static @Nullable PackedEntries of(StateColumns columns, int first, int count) {
         if (count == 0) {
             return null;
         }
@@ -29,7 +29,8 @@ record PackedEntries(
         WorldState part = new WorldState();
         int word = 0;
         for (int i = 0; i < count; i++) {
-            int e = first + i;
+            WorldState from = columns.holder(first + i);
+            int e = columns.place(first + i);
             part.append(from, e, from.counts[e]);
             nothing.append(from, e, 0);
             if (WorldState.WIDTH[from.kinds[e]] != 0) {

@@ -93,7 +93,7 @@ public final class StateColumns {
     }
 
     /**
-     * A column of bytes.
+     * A column of bytes, or of booleans as 0 and 1.
      *
      * @param section number of its section
      * @param name as it was declared
@@ -101,7 +101,8 @@ public final class StateColumns {
      */
     public int bytes(int section, String name) {
         int e = find(section, name);
-        return e >= 0 && state.kinds[e] == WorldState.BYTES ? e : -1;
+        boolean fits = e >= 0 && WorldState.WIDTH[state.kinds[e]] == 1;
+        return fits && state.kinds[e] >= WorldState.INTS ? e : -1;
     }
 
     /**
@@ -152,10 +153,7 @@ public final class StateColumns {
         int i = a.at[place(column)] + 8 * from;
         int k = b.at[other.place(otherColumn)] + 8 * from;
         int length = 8 * (Math.min(count(column), other.count(otherColumn)) - from);
-        int at =
-                length <= 0
-                        ? -1
-                        : Arrays.mismatch(a.bytes, i, i + length, b.bytes, k, k + length);
+        int at = length <= 0 ? -1 : Arrays.mismatch(a.bytes, i, i + length, b.bytes, k, k + length);
         return at < 0 ? -1 : from + at / 8;
     }
 

@@ -3,6 +3,8 @@ package dev.cairn.physics.broadphase;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
 
+import java.util.Arrays;
+
 /**
  * A set of unordered pairs of colliders: open addressing with linear probing, no tombstones. Asked
  * for membership only; it is never iterated, so its layout cannot reach any result.
@@ -13,6 +15,11 @@ public final class PairSet implements Stateful {
     private long[] keys = new long[64];
     private int shift = 64 - 6;
     private int size;
+
+    /** Room for the pairs of a state, smaller slots and larger ones. */
+    private int[] lower = {};
+
+    private int[] higher = {};
 
     /** An empty set. */
     public PairSet() {}
@@ -88,17 +95,37 @@ public final class PairSet implements Stateful {
         return true;
     }
 
-    /** The table as it lies, so that nothing has to be put in anew. */
+    /**
+     * The pairs in the order of the table. That is the order of their products but for neighbours,
+     * however long the table is: so few change places when it grows.
+     */
     @Override
     public void state(StateVisitor s) {
         s.section("pairs", this);
-        size = s.value("size", size);
-        int length = s.count("length", keys.length);
-        if (length != keys.length) {
-            keys = new long[length];
+        s.rows(size);
+        int count = s.count("size", size);
+        if (lower.length < count) {
+            lower = new int[keys.length / 2 < count ? count : keys.length / 2];
+            higher = new int[lower.length];
         }
-        keys = s.array("keys", keys, length);
-        shift = 64 - Integer.numberOfTrailingZeros(length);
+        if (!s.isRestoring()) {
+            int to = 0;
+            for (long key : keys) {
+                if (key != 0) {
+                    lower[to] = (int) (key >>> 32);
+                    higher[to++] = (int) key;
+                }
+            }
+        }
+        lower = s.array("lower", lower, 0, count, lower.length, false);
+        higher = s.array("higher", higher, 0, count, higher.length, false);
+        if (s.isRestoring()) {
+            Arrays.fill(keys, 0);
+            size = 0;
+            for (int i = 0; i < count; i++) {
+                add(key(lower[i], higher[i]));
+            }
+        }
     }
 
     private int home(long key) {

@@ -32,7 +32,14 @@ public final class BodyTouches implements Stateful {
     /** By place: one more than the pair's number in {@link #changed}; 0 between ticks. */
     private int[] change = new int[64];
 
+    private int shift = 64 - 6;
     private int size;
+
+    /** Room for the pairs of a state: lower and higher bodies, counts. */
+    private int[] lower = {};
+
+    private int[] higher = {};
+    private int[] counted = {};
 
     /** Pairs of bodies with events in this tick: the last pair of shapes; touched before or not. */
     private long[] changed = new long[16];
@@ -165,7 +172,7 @@ public final class BodyTouches implements Stateful {
     // The table ----------------------------------------------------------------------------------
 
     private int home(long key) {
-        return (int) ((key * 0x9E3779B97F4A7C15L) >>> 33) & (keys.length - 1);
+        return (int) ((key * 0x9E3779B97F4A7C15L) >>> shift);
     }
 
     /** Where a pair is, or would be. */
@@ -182,6 +189,7 @@ public final class BodyTouches implements Stateful {
         int[] oldCounts = counts;
         int[] oldChange = change;
         keys = new long[2 * oldKeys.length];
+        shift--;
         counts = new int[keys.length];
         change = new int[keys.length];
         for (int i = 0; i < oldKeys.length; i++) {
@@ -211,21 +219,57 @@ public final class BodyTouches implements Stateful {
         size--;
     }
 
+    /** The pairs in the order of the table, as those of a {@link PairSet}. */
     @Override
     public void state(StateVisitor s) {
         s.section("bodyTouches", this);
-        size = s.value("size", size);
-        int length = s.count("length", keys.length);
-        if (length != keys.length) {
-            keys = new long[length];
-            counts = new int[length];
-            change = new int[length];
+        s.rows(size);
+        int count = s.count("size", size);
+        if (lower.length < count) {
+            lower = new int[Math.max(count, keys.length / 2)];
+            higher = new int[lower.length];
+            counted = new int[lower.length];
         }
-        keys = s.array("keys", keys, length);
-        counts = s.array("counts", counts, length);
+        if (!s.isRestoring()) {
+            list();
+        }
+        lower = s.array("lower", lower, 0, count, lower.length, false);
+        higher = s.array("higher", higher, 0, count, higher.length, false);
+        counted = s.array("counted", counted, 0, count, counted.length, false);
+        if (s.isRestoring()) {
+            put(count);
+        }
+        s.section("bodyHits", this);
         hitCount = s.count("hitCount", hitCount);
         hits = s.array("hits", hits, hitCount);
         began.state(s);
         ended.state(s);
+    }
+
+    private void list() {
+        int to = 0;
+        for (int at = 0; at < keys.length; at++) {
+            if (keys[at] != 0) {
+                lower[to] = (int) (keys[at] >>> 32);
+                higher[to] = (int) keys[at];
+                counted[to++] = counts[at];
+            }
+        }
+    }
+
+    private void put(int count) {
+        Arrays.fill(keys, 0);
+        Arrays.fill(counts, 0);
+        Arrays.fill(change, 0);
+        size = 0;
+        for (int i = 0; i < count; i++) {
+            if (2 * (size + 1) > keys.length) {
+                grow();
+            }
+            int at = find(PairSet.key(lower[i], higher[i]));
+            size += keys[at] == 0 ? 1 : 0;
+            keys[at] = PairSet.key(lower[i], higher[i]);
+            counts[at] = counted[i];
+        }
     }
 }

@@ -191,6 +191,7 @@ public final class PointStore {
         int points = m.pointCount;
         own.take(c, row, before);
         c.pointCount[row] = points;
+        c.clearPoints(row, points, before);
         if (c.compounds) {
             c.rank[row] = 0;
         }

@@ -56,7 +56,7 @@ final class Recycler {
     private static final int GAP = 10;
 
     /** The points on the incident box in its axes, m, three numbers each. */
-    private static final int POINT = 12;
+    private static final int POINT = ContactStore.KEPT_POINT;
 
     private final ColliderStore colliders;
     private final BodyStore bodies;

@@ -169,8 +169,7 @@ final class BodyColumns {
         turn(pose[3], slot, pose[4], slot, pose[5], slot, pose[6], slot, packs);
     }
 
-    private void turn(
-            int x, int i, int y, int j, int z, int k, int w, int l, boolean packs) {
+    private void turn(int x, int i, int y, int j, int z, int k, int w, int l, boolean packs) {
         double a = state.number(x, i);
         double b = state.number(y, j);
         double c = state.number(z, k);

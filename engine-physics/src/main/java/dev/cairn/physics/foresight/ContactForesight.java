@@ -2,6 +2,7 @@ package dev.cairn.physics.foresight;
 
 import static dev.cairn.physics.internal.ContactColumns.ANCHORS;
 import static dev.cairn.physics.internal.ContactColumns.HEAD;
+import static dev.cairn.physics.internal.ContactColumns.KEPT;
 import static dev.cairn.physics.internal.ContactColumns.POINTS;
 
 import dev.cairn.core.state.StateColumns;
@@ -44,6 +45,9 @@ final class ContactForesight {
 
     /** Packs or unpacks one. */
     void row(int row) {
+        if (rows.points(row) == 0) {
+            return;
+        }
         int a = rows.colliderA(row);
         int b = rows.colliderB(row);
         Shape shapeA = bodies.shape(a);
@@ -55,17 +59,24 @@ final class ContactForesight {
         boolean isFace =
                 shapeA != null
                         && shapeB != null
-                        && face.begin(bodies, a, shapeA, b, shapeB, apart, rows.cache(row));
+                        && face.begin(
+                                bodies,
+                                a,
+                                shapeA,
+                                b,
+                                shapeB,
+                                apart,
+                                rows.cache(row),
+                                rows.feature(POINTS * row));
         for (int k = 0; k < 3; k++) {
             int i = HEAD * row + k;
-            normal[k] =
-                    isFace ? next(rows.head, i, face.normal[k]) : state.number(rows.head, i);
+            normal[k] = isFace ? next(rows.head, i, face.normal[k]) : state.number(rows.head, i);
         }
         friction(row);
         double firstGap = 0;
         for (int p = 0; p < rows.points(row); p++) {
             int i = ANCHORS * (POINTS * row + p);
-            boolean isFound = isFace && face.find(rows.feature(POINTS * row + p));
+            boolean isFound = isFace && find(row, p);
             double along = 0;
             for (int k = 0; k < 3; k++) {
                 point[k] =
@@ -83,6 +94,18 @@ final class ContactForesight {
             gap = next(rows.separation, POINTS * row + p, gap);
             firstGap = p == 0 ? gap : firstGap;
         }
+    }
+
+    private boolean find(int row, int p) {
+        if (!rows.keeps(row)) {
+            return face.find(rows.feature(POINTS * row + p));
+        }
+        int i = KEPT * row + ContactColumns.KEPT_POINT + 3 * p;
+        face.keep(
+                state.number(rows.kept, i),
+                state.number(rows.kept, i + 1),
+                state.number(rows.kept, i + 2));
+        return true;
     }
 
     /** Of friction, which lies across the normal, the part along its largest component. */

@@ -7,10 +7,10 @@ import dev.cairn.physics.shape.polyhedron.Polyhedral;
 import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
- * The points of a contact of two polyhedra on a face of one of them, the reference, from their
- * poses and the names of the points. With everything seen from the reference's centre, in world
- * axes: n the face's normal and h its distance, m and g those of the other's face that looks most
- * against it. A point q on the other one is
+ * The points of a contact of two polyhedra from their poses and the names of the points, where two
+ * edges cross or on a face of one of the two, the reference. With everything seen from the
+ * reference's centre, in world axes: n the face's normal and h its distance, m and g those of the
+ * other's face that looks most against it. A point q on the other one is
  *
  * <pre>
  *   a corner of the other        q
@@ -18,7 +18,8 @@ import dev.cairn.physics.shape.polyhedron.Polyhedron;
  *   where edges e, f cross       q on f, in the plane through e along n
  * </pre>
  *
- * its separation s = n . q - h, and the point of the contact midway, q - s n / 2.
+ * its separation s = n . q - h, and the point of the contact midway, q - s n / 2. Of a pair that
+ * hardly moves q stays where it was on the other one, which the narrow phase keeps.
  */
 final class FacePoints {
     private static final int NUMBER = 0x7FFF;
@@ -46,36 +47,47 @@ final class FacePoints {
     private double h;
     private double g;
     private boolean flip;
+
+    /** Not of a face. */
+    private boolean isOfEdges;
+
     private Polyhedron reference = Polyhedron.triangle();
     private Polyhedron other = reference;
     private double[] apart = {};
 
-    /** Whether the row is one of a face; then its normal is known. */
+    /** Whether normal and points are known; then the normal is found. */
     boolean begin(
-            BodyColumns bodies, int a, Shape shapeA, int b, Shape shapeB, double[] ab, long key) {
-        long kind = key >>> 62;
-        boolean isFace = kind == WarmStartKey.FACE_A || kind == WarmStartKey.FACE_B;
-        if (!isFace
+            BodyColumns bodies,
+            int a,
+            Shape shapeA,
+            int b,
+            Shape shapeB,
+            double[] ab,
+            long key,
+            int name) {
+        if (key >>> 62 == 0
                 || !(shapeA instanceof Polyhedral first)
                 || !(shapeB instanceof Polyhedral second)) {
             return false;
         }
+        isOfEdges = key >>> 62 == WarmStartKey.EDGES;
         flip = WarmStartKey.onFaceOfB(key);
         apart = ab;
         reference = Polyhedron.of(flip ? second : first);
         other = Polyhedron.of(flip ? first : second);
         int face = WarmStartKey.faceOf(key);
-        if (face >= reference.faceCount()) {
+        if (!isOfEdges && face >= reference.faceCount()) {
             return false;
         }
         turn(bodies, flip ? b : a, turnR);
         turn(bodies, flip ? a : b, turnI);
-        rotate(
-                turnR,
-                reference.normalX(face),
-                reference.normalY(face),
-                reference.normalZ(face),
-                n);
+        if (isOfEdges) {
+            for (int k = 0; k < 3; k++) {
+                away[k] = ab[k];
+            }
+            return edges(name);
+        }
+        rotate(turnR, reference.normalX(face), reference.normalY(face), reference.normalZ(face), n);
         h = reference.offset(face);
         double least = Double.MAX_VALUE;
         int against = 0;
@@ -94,8 +106,60 @@ final class FacePoints {
         return true;
     }
 
+    /**
+     * Two edges that cross: with d and e their directions, n along d x e, and the feet of the
+     * shortest way between them.
+     */
+    private boolean edges(int name) {
+        int d = name >> 15 & NUMBER;
+        int e = name & NUMBER;
+        if ((name & FeatureIds.CLOSEST) != FeatureIds.CROSSING
+                || d >= reference.edgeCount()
+                || e >= other.edgeCount()) {
+            return false;
+        }
+        ends(d, e);
+        double x = 0;
+        double y = 0;
+        double dd = 0;
+        double de = 0;
+        double ee = 0;
+        for (int k = 0; k < 3; k++) {
+            double u = end[k] - q[k];
+            double v = to[k] - from[k];
+            double w = from[k] - q[k];
+            dd += u * u;
+            de += u * v;
+            ee += v * v;
+            x += u * w;
+            y += v * w;
+            m[k] = u;
+            n[k] = v;
+        }
+        double cross = dd * ee - de * de;
+        double s = (x * ee - y * de) / cross;
+        double t = (x * de - y * dd) / cross;
+        normal[0] = m[1] * n[2] - m[2] * n[1];
+        normal[1] = m[2] * n[0] - m[0] * n[2];
+        normal[2] = m[0] * n[1] - m[1] * n[0];
+        double size = Math.sqrt(dot(normal, normal));
+        size = dot(normal, away) < 0 ? -size : size;
+        separation = 0;
+        for (int k = 0; k < 3; k++) {
+            normal[k] /= size;
+            double onA = q[k] + s * m[k];
+            double onB = from[k] + t * n[k];
+            separation += normal[k] * (onB - onA);
+            point[k] = 0.5 * (onA + onB);
+        }
+        return true;
+    }
+
     /** Makes point and separation; false for a name that says nothing here. */
     boolean find(int name) {
+        if (isOfEdges) {
+            return true;
+        }
         int kind = name & FeatureIds.CLOSEST;
         int number = name & ~FeatureIds.CLOSEST;
         boolean isOfA = kind == FeatureIds.VERTEX_A;
@@ -127,21 +191,28 @@ final class FacePoints {
                 q[k] += separation * n[k];
             }
         }
+        halfway();
+        return true;
+    }
+
+    /** The same for a point that is kept in the axes of the other one. */
+    void keep(double x, double y, double z) {
+        rotate(turnI, x, y, z, q);
+        add(q, away);
+        separation = dot(n, q) - h;
+        halfway();
+    }
+
+    private void halfway() {
         for (int k = 0; k < 3; k++) {
             double x = q[k] - 0.5 * separation * n[k];
             point[k] = flip ? x + apart[k] : x;
         }
-        return true;
     }
 
     /** Of the plane through e along n the point on f. */
     private void cross(int e, int f) {
-        corner(reference, turnR, reference.edgeFrom(e), q);
-        corner(reference, turnR, reference.edgeTo(e), end);
-        corner(other, turnI, other.edgeFrom(f), from);
-        corner(other, turnI, other.edgeTo(f), to);
-        add(from, away);
-        add(to, away);
+        ends(e, f);
         double ex = end[0] - q[0];
         double ey = end[1] - q[1];
         double ez = end[2] - q[2];
@@ -155,6 +226,16 @@ final class FacePoints {
         for (int k = 0; k < 3; k++) {
             q[k] = from[k] + share * (to[k] - from[k]);
         }
+    }
+
+    /** Of an edge of the reference and of one of the other. */
+    private void ends(int e, int f) {
+        corner(reference, turnR, reference.edgeFrom(e), q);
+        corner(reference, turnR, reference.edgeTo(e), end);
+        corner(other, turnI, other.edgeFrom(f), from);
+        corner(other, turnI, other.edgeTo(f), to);
+        add(from, away);
+        add(to, away);
     }
 
     private static void corner(Polyhedron p, double[] turn, int vertex, double[] out) {

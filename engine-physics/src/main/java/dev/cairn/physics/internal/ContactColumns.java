@@ -36,6 +36,9 @@ public class ContactColumns {
     /** Numbers per row in {@link #kept}. */
     public static final int KEPT = 24;
 
+    /** Of a row's: its points on the incident shape in that one's axes, m, three numbers each. */
+    public static final int KEPT_POINT = 12;
+
     /** Slots of the two colliders, the lower one first: a row is of a pair of these. */
     public int[] colliderA = {}, colliderB = {};
 

@@ -120,10 +120,25 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
      * only together with them.
      */
     public void disable(int row) {
+        clearPoints(row, 0, pointCount[row]);
         pointCount[row] = 0;
         keeps[row] = false;
         cache[row] = 0;
         forgetFriction(row);
+    }
+
+    /** Empties points that a row has no longer, so that a state does not hold them. */
+    public void clearPoints(int row, int from, int to) {
+        if (from < to) {
+            int p = POINTS * row + from;
+            int end = POINTS * row + to;
+            Arrays.fill(anchors, anchor(p), anchor(end), 0);
+            Arrays.fill(separation, p, end, 0);
+            Arrays.fill(feature, p, end, 0);
+            Arrays.fill(normalImpulse, p, end, 0);
+            Arrays.fill(preload, p, end, 0);
+            Arrays.fill(totalNormalImpulse, p, end, 0);
+        }
     }
 
     /** Makes room for rolling friction; between phases only. */

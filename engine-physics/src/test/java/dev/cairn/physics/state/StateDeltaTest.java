@@ -146,6 +146,12 @@ class StateDeltaTest {
         HEAP,
         /** Two stacks, of which the uppermost boxes are pushed so that all rock. */
         STACKS,
+        /** One stack, asleep at first, whose uppermost box or whose lowest one is pushed. */
+        TOWER,
+        TOWER_ON_A_BLOW,
+        /** Bricks in two rows with 22 contacts, asleep at first, of which one is pushed over. */
+        WALL,
+        PLANKS,
         /** They were not there, each with a shape of its own. */
         COMING,
         LEAVING_THE_WORLD
@@ -169,7 +175,10 @@ class StateDeltaTest {
                     case CAPSULES -> fall(body.shape(Capsule.of(0.3, 0.4)), n);
                     case CYLINDERS -> fall(body.shape(Cylinder.of(0.4, 0.5)), n);
                     case HEAP -> fall(body, n);
+                    case PLANKS -> fall(body.shape(Box.ofHalfExtents(0.6, 0.1, 0.3)), n);
                     case STACKS -> body.at(32 + 3 * (n / 5), 0.4 + 0.8 * (n % 5), 0);
+                    case TOWER, TOWER_ON_A_BLOW -> body.at(34, 0.4 + 0.8 * n, 0);
+                    case WALL -> body.at(34 + 0.4 * n, 0.4 + 0.8 * (n % 2), 0);
                     case COMING -> {
                         continue;
                     }
@@ -188,7 +197,7 @@ class StateDeltaTest {
         body.at(34 + 0.3 * (n % 3), 17 + n, 0.2 * (n % 2)).angularVelocity(1 + n, 2, 3 - n);
     }
 
-    /** Each tick of it, whatever happens there, is a few kilobytes. */
+    /** Each tick of it, whatever happens there, is at most 5 kB. */
     @ParameterizedTest
     @EnumSource
     void ofAThousandBodiesTenMove(Doing doing) throws IOException {
@@ -204,6 +213,11 @@ class StateDeltaTest {
                     case LEAVING_THE_WORLD -> body.remove();
                     default -> {}
                 }
+            }
+            switch (doing) {
+                case TOWER, WALL -> ten.get(9).applyImpulse(2 * ten.get(9).mass(), 0, 0);
+                case TOWER_ON_A_BLOW -> ten.get(0).applyImpulse(4 * ten.get(0).mass(), 0, 0);
+                default -> {}
             }
             if (doing == Doing.STACKS) {
                 ten.get(4).applyImpulse(ten.get(4).mass(), 0, 0);
