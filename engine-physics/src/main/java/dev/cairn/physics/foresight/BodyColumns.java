@@ -42,6 +42,9 @@ final class BodyColumns {
     /** Slots that all columns have. */
     final int slots;
 
+    /** Whether bodies may sleep, so that places of rest are known. */
+    final boolean mayRest;
+
     private final double[] box = new double[BOX];
 
     BodyColumns(StateColumns state) {
@@ -70,11 +73,10 @@ final class BodyColumns {
         start = state.wide(rest, "start");
         seconds = state.wide(rest, "seconds");
         stayed = state.wide(rest, "stayed");
-        least = Math.min(least, Math.min(state.count(seconds), state.count(stayed)));
-        least = Math.min(least, state.count(place) / POSE);
-        least = Math.min(least, state.count(start) / POSE);
         shape = state.objects(state.section("colliders", bodies), "shape");
         slots = Math.min(least, state.count(shape));
+        int rests = Math.min(state.count(place), state.count(start)) / POSE;
+        mayRest = slots <= Math.min(rests, Math.min(state.count(seconds), state.count(stayed)));
     }
 
     boolean isWhole() {
@@ -128,10 +130,10 @@ final class BodyColumns {
      * that lies.
      */
     void rest(int slot, boolean isSettled) {
-        if (isSettled && state.number(stayed, slot) >= 0) {
+        if (mayRest && isSettled && state.number(stayed, slot) >= 0) {
             mix(place, slot);
         }
-        if (isSettled && state.number(seconds, slot) >= 0) {
+        if (mayRest && isSettled && state.number(seconds, slot) >= 0) {
             mix(start, slot);
         }
         Shape known = shape(slot);

@@ -49,7 +49,9 @@ public final class BodyForesight implements StateForesight {
         mark(before, a.began, after, b.began, BodyColumns.POSE, changed);
         mark(before, a.last, after, b.last, BodyColumns.VELOCITY, changed);
         mark(before, a.tight, after, b.tight, BodyColumns.BOX, changed);
-        mark(before, a.place, after, b.place, BodyColumns.POSE, settled);
+        if (a.mayRest && b.mayRest) {
+            mark(before, a.place, after, b.place, BodyColumns.POSE, settled);
+        }
         entities(before, after, changed);
         int[] rows = new int[changed.length];
         int count = 0;
