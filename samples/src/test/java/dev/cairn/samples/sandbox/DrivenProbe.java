@@ -14,7 +14,8 @@ import java.util.Map;
 
 /**
  * The sandbox with a scene file in the editor in which arrow keys drive a ball, as a program of its
- * own that tells, one line a frame, what is seen, for {@link ReportWindowTest}.
+ * own that tells, one line a frame, what is seen, for {@link ReportWindowTest} and
+ * {@link RecordEditorTest}.
  */
 final class DrivenProbe extends Sandbox {
     static final String SCENE =
@@ -42,6 +43,9 @@ final class DrivenProbe extends Sandbox {
         Path file = Path.of("driven.json");
         Files.writeString(file, SCENE);
         DrivenProbe probe = new DrivenProbe();
+        if (Files.exists(Path.of(SandboxProbe.RUN))) {
+            probe.record(Path.of(SandboxProbe.RUN));
+        }
         probe.edit(file, SceneReader.read(file));
         probe.size(1024, 640).start();
     }
