@@ -14,8 +14,8 @@ import java.util.Map;
 
 /**
  * The sandbox with a scene file in the editor in which arrow keys drive a ball, as a program of its
- * own that tells, one line a frame, what is seen, for {@link ReportWindowTest} and
- * {@link RecordEditorTest}.
+ * own that tells, one line a frame, what is seen, for {@link ReportWindowTest} and {@link
+ * RecordEditorTest}.
  */
 final class DrivenProbe extends Sandbox {
     static final String SCENE =
