@@ -49,7 +49,7 @@ public final class StateDelta {
     final DeltaWords words;
     final References references;
 
-    /** What a {@link StateForesight} packs. */
+    /** What a {@link StateColumns.Foresight} packs. */
     final int[] foreseen;
 
     final boolean isRead;
@@ -141,7 +141,7 @@ public final class StateDelta {
     @SuppressWarnings("ReferenceEquality") // there is one of a kind of world
     private static int[] foresee(
             WorldState before, StateColumns first, WorldState after, StateColumns second) {
-        StateForesight known = StateColumns.foresight(before);
+        StateColumns.Foresight known = StateColumns.foresight(before);
         if (known == null || known != StateColumns.foresight(after)) {
             return new int[0];
         }
@@ -185,7 +185,7 @@ public final class StateDelta {
                             + "; apply deltas in the order of their ticks, and revert them in the"
                             + " opposite order");
         }
-        StateForesight known = foreseen.length == 0 ? null : StateColumns.foresight(state);
+        StateColumns.Foresight known = foreseen.length == 0 ? null : StateColumns.foresight(state);
         if (foreseen.length > 0 && known == null) {
             throw new StateException(
                     "the state is not the one that the delta starts from: nobody foresees its"

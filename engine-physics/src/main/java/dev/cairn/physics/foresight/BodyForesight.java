@@ -2,7 +2,6 @@ package dev.cairn.physics.foresight;
 
 import dev.cairn.core.state.StateCodec;
 import dev.cairn.core.state.StateColumns;
-import dev.cairn.core.state.StateForesight;
 
 import java.util.Arrays;
 
@@ -13,7 +12,7 @@ import java.util.Arrays;
  *
  * <p>Immutable; any thread.
  */
-public final class BodyForesight implements StateForesight {
+public final class BodyForesight implements StateColumns.Foresight {
     /** The only one. */
     public static final BodyForesight INSTANCE = new BodyForesight();
 
