@@ -19,7 +19,9 @@
  * <p>A {@link dev.cairn.core.state.WorldState} is one block of bytes with a table of contents, so
  * that two can be compared, subtracted (a {@link dev.cairn.core.state.StateDelta} leads from one to
  * the other and back, and is as large as what has changed) and written; numbers have their place
- * and their least significant byte first, on every machine.
+ * and their least significant byte first, on every machine. What follows from other numbers of the
+ * same state a delta need not tell, if somebody knows it ({@link
+ * dev.cairn.core.state.StateColumns.Foresight}).
  *
  * <p>Objects are written by a {@link dev.cairn.core.state.StateCodec}. That of a record follows
  * from its components; their names and types are written with it, once, so that a program whose
