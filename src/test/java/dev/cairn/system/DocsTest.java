@@ -33,7 +33,7 @@ final class DocsTest {
     private static final Pattern EXPORT = Pattern.compile("exports (dev\\.cairn[\\w.]*);");
     private static final Pattern MEMBER =
             Pattern.compile("(?:public|static|final|record|class|interface|@Override)\\b");
-    private static final Path ROOT = root();
+    static final Path ROOT = root();
 
     /** The repository: the nearest folder upwards with the pages. */
     private static Path root() {

@@ -5,19 +5,22 @@ import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.sli
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.tngtech.archunit.base.DescribedPredicate;
-import com.tngtech.archunit.core.domain.JavaClass;
-import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.dependencies.Slice;
 
-import java.util.Map;
-import java.util.Set;
-import java.util.TreeSet;
-import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
 
-/** Each package is small enough to be a chapter, and no two of the engine know each other. */
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** Each package is small enough to be a chapter, each file too, and no packages are in a circle. */
 @AnalyzeClasses(packages = "dev.cairn", importOptions = ShippedClasses.class)
 final class PackagesTest {
     /** Files that one folder may hold before it wants sections. */
@@ -36,24 +39,23 @@ final class PackagesTest {
                     .should()
                     .beFreeOfCycles();
 
-    @ArchTest
-    static void packagesAreSmall(JavaClasses all) {
-        Map<String, Set<String>> files =
-                all.stream()
-                        .filter(type ->
-                                !type.getSimpleName().startsWith("Single")
-                                        || type.getSimpleName().startsWith("SingleContact"))
-                        .collect(
-                                Collectors.groupingBy(
-                                        JavaClass::getPackageName,
-                                        Collectors.mapping(
-                                                PackagesTest::file,
-                                                Collectors.toCollection(TreeSet::new))));
-        files.forEach((name, of) ->
-                assertTrue(of.size() <= MOST_FILES, () -> name + " holds " + of.size() + " files"));
+    @Test
+    void foldersAreSmall() throws IOException {
+        Map<Path, Long> files =
+                sources().stream()
+                        .collect(Collectors.groupingBy(Path::getParent, Collectors.counting()));
+        files.forEach((folder, count) ->
+                assertTrue(count <= MOST_FILES, () -> folder + " holds " + count + " files"));
+        assertTrue(files.size() > 150, "folders: " + files.size());
     }
 
-    private static String file(JavaClass type) {
-        return type.getSource().flatMap(source -> source.getFileName()).orElse(type.getName());
+    /** What is compiled of all modules, tests among it. */
+    private static List<Path> sources() throws IOException {
+        try (Stream<Path> files = Files.walk(DocsTest.ROOT)) {
+            return files.map(DocsTest.ROOT::relativize)
+                    .filter(file -> file.toString().endsWith(".java"))
+                    .filter(file -> file.toString().replace('\\', '/').contains("src/"))
+                    .toList();
+        }
     }
 }

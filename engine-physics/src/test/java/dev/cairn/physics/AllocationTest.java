@@ -11,6 +11,8 @@ import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.mesh.Grounds;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.support.Scenes;
+import dev.cairn.physics.support.StringConstants;
 import dev.cairn.physics.tuning.Precision;
 
 import org.junit.jupiter.api.BeforeAll;
@@ -75,7 +77,7 @@ class AllocationTest {
     void aTallColumn(int workers) {
         try (PhysicsWorld world = scalar().sleeping(false).workers(workers).build()) {
             Scenes.ground(world);
-            DirectTest.column(world, 40, 0);
+            Scenes.column(world, 40, 0);
             measure(world, 600);
         }
     }

@@ -17,6 +17,7 @@ import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.polyhedron.Polyhedron;
+import dev.cairn.physics.support.Scenes;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.support.Scenes;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.support.Scenes;
 import dev.cairn.physics.tuning.Precision;
 
 import org.joml.Quaterniond;

@@ -12,6 +12,7 @@ import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.profile.StepStage;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.support.Scenes;
 
 import jdk.jfr.Recording;
 import jdk.jfr.consumer.RecordedEvent;

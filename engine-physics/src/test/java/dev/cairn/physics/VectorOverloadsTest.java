@@ -11,6 +11,7 @@ import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.TriangleMesh;
+import dev.cairn.physics.support.Scenes;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.support.Scenes;
+
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
@@ -14,7 +16,7 @@ class WarmUpTest {
     private static long stack() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
             Scenes.stack(world, 10);
-            SleepTest.run(world, 60);
+            Scenes.run(world, 60);
             return world.digest();
         }
     }

@@ -9,6 +9,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.support.Scenes;
 
 import org.junit.jupiter.api.Test;
 

@@ -3,6 +3,8 @@ package dev.cairn.physics.narrowphase;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.narrowphase.oracle.ConvexOracle;
+import dev.cairn.physics.narrowphase.oracle.Scene;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;

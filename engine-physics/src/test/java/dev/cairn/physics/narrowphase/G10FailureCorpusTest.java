@@ -4,6 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.narrowphase.oracle.FailureCases;
+import dev.cairn.physics.narrowphase.oracle.FclCases;
+import dev.cairn.physics.narrowphase.oracle.ReachOracle;
+import dev.cairn.physics.narrowphase.oracle.Scene;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;

@@ -2,6 +2,9 @@ package dev.cairn.physics.narrowphase;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.cairn.physics.narrowphase.oracle.ReachOracle;
+import dev.cairn.physics.narrowphase.oracle.Scene;
+import dev.cairn.physics.narrowphase.oracle.ShapeKind;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;

@@ -10,6 +10,8 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.narrowphase.oracle.ConvexOracle;
+import dev.cairn.physics.narrowphase.oracle.Scene;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;

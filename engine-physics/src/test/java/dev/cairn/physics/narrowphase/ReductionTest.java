@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.narrowphase.clip.Clipper;
 import dev.cairn.physics.narrowphase.clip.Reduction;
+import dev.cairn.physics.narrowphase.oracle.Scene;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.Box;

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import dev.cairn.physics.narrowphase.oracle.Scene;
+import dev.cairn.physics.narrowphase.oracle.ShapeKind;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.round.RoundContacts;
 import dev.cairn.physics.narrowphase.round.RoundPairs;

@@ -10,6 +10,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.narrowphase.oracle.Scene;
 import dev.cairn.physics.narrowphase.wide.BoxAxes;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
 import dev.cairn.physics.narrowphase.wide.RoundWarmUp;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.internal.Surface;
+import dev.cairn.physics.narrowphase.oracle.Scene;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Cone;

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.narrowphase.hull.DistanceCertificate;
 import dev.cairn.physics.narrowphase.hull.PairMemory;
+import dev.cairn.physics.narrowphase.oracle.ConvexOracle;
+import dev.cairn.physics.narrowphase.oracle.Scene;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.shape.Shape;
