@@ -26,6 +26,9 @@ final class PackagesTest {
     /** Files that one folder may hold before it wants sections. */
     private static final int MOST_FILES = 25;
 
+    /** Of a file that can be read in one go. */
+    private static final int MOST_LINES = 500;
+
     @ArchTest
     static final ArchRule noPackagesInACircle =
             slices().matching("dev.cairn.(**)")
@@ -47,6 +50,14 @@ final class PackagesTest {
         files.forEach((folder, count) ->
                 assertTrue(count <= MOST_FILES, () -> folder + " holds " + count + " files"));
         assertTrue(files.size() > 150, "folders: " + files.size());
+    }
+
+    @Test
+    void filesAreShort() throws IOException {
+        for (Path file : sources()) {
+            long lines = Files.readAllLines(DocsTest.ROOT.resolve(file)).size();
+            assertTrue(lines <= MOST_LINES, () -> file + " has " + lines + " lines");
+        }
     }
 
     /** What is compiled of all modules, tests among it. */

@@ -2,6 +2,7 @@ package dev.cairn.physics;
 
 import dev.cairn.core.ecs.component.Component;
 import dev.cairn.physics.body.BodyType;
+import dev.cairn.physics.body.BodyVectors;
 import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.component.Velocity;
@@ -12,7 +13,6 @@ import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Quaterniondc;
-import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
@@ -24,7 +24,7 @@ import java.util.function.Consumer;
  * the world copies what it says. {@link #at} and {@link #rotation} place the frame that the shape
  * was made in. One thread at a time.
  */
-public final class Body {
+public final class Body implements BodyVectors<Body> {
     final BodyType type;
     @Nullable Shape shape;
     double x;
@@ -123,14 +123,7 @@ public final class Body {
         return parts;
     }
 
-    /**
-     * Places the origin of the shape's frame; (0, 0, 0) by default.
-     *
-     * @param worldX m, finite
-     * @param worldY m, finite
-     * @param worldZ m, finite
-     * @return this
-     */
+    @Override
     public Body at(double worldX, double worldY, double worldZ) {
         Checks.finite("x", worldX);
         Checks.finite("y", worldY);
@@ -139,17 +132,6 @@ public final class Body {
         y = worldY;
         z = worldZ;
         return this;
-    }
-
-    /**
-     * Places the origin of the shape's frame.
-     *
-     * @param world m, finite
-     * @return this
-     */
-    public Body at(Vector3dc world) {
-        Checks.notNull("world", world);
-        return at(world.x(), world.y(), world.z());
     }
 
     /**
@@ -176,16 +158,7 @@ public final class Body {
         return this;
     }
 
-    /**
-     * Turns the shape's frame about an axis through its origin.
-     *
-     * @param axisX world axis, any length above 0
-     * @param axisY world axis
-     * @param axisZ world axis
-     * @param radians angle by the right-hand rule, finite
-     * @return this
-     * @throws IllegalArgumentException if the axis is zero or anything is not finite
-     */
+    @Override
     public Body rotationAbout(double axisX, double axisY, double axisZ, double radians) {
         Checks.finite("axisX", axisX);
         Checks.finite("axisY", axisY);
@@ -205,18 +178,6 @@ public final class Body {
         qz = az * scale;
         qw = StrictMath.cos(0.5 * radians);
         return this;
-    }
-
-    /**
-     * Turns the shape's frame about an axis through its origin.
-     *
-     * @param axis world, any length above 0
-     * @param radians angle by the right-hand rule, finite
-     * @return this
-     */
-    public Body rotationAbout(Vector3dc axis, double radians) {
-        Checks.notNull("axis", axis);
-        return rotationAbout(axis.x(), axis.y(), axis.z(), radians);
     }
 
     /**
@@ -261,44 +222,14 @@ public final class Body {
         return this;
     }
 
-    /**
-     * States the inertia about the centre of mass, instead of that of the shape filled evenly: a
-     * shell, a hoop, a gyroscope. The shape's axes are its principal axes.
-     *
-     * @param xx about the shape's x axis, kg m², finite, above 0
-     * @param yy about the shape's y axis, kg m², finite, above 0
-     * @param zz about the shape's z axis, kg m², finite, above 0
-     * @return this
-     * @throws IllegalArgumentException if one is not, or is larger than the sum of the others: no
-     *     matter can be arranged so
-     */
+    @Override
     public Body inertia(double xx, double yy, double zz) {
         Checks.inertia(xx, yy, zz);
         given = given.withInertia(xx, yy, zz);
         return this;
     }
 
-    /**
-     * States the inertia about the centre of mass.
-     *
-     * @param principal about the shape's axes, kg m², each finite, above 0
-     * @return this
-     */
-    public Body inertia(Vector3dc principal) {
-        Checks.notNull("principal", principal);
-        return inertia(principal.x(), principal.y(), principal.z());
-    }
-
-    /**
-     * States the centre of mass, instead of that of the shapes filled evenly: a tumbler, a keel, a
-     * loaded die. The inertia is about it: the one that is stated, or that of the shapes about
-     * their own centre.
-     *
-     * @param bodyX in the body's frame, m, finite
-     * @param bodyY in the body's frame, m, finite
-     * @param bodyZ in the body's frame, m, finite
-     * @return this
-     */
+    @Override
     public Body centreOfMass(double bodyX, double bodyY, double bodyZ) {
         given =
                 given.withCentre(
@@ -306,17 +237,6 @@ public final class Body {
                         Checks.finite("centre y", bodyY),
                         Checks.finite("centre z", bodyZ));
         return this;
-    }
-
-    /**
-     * States the centre of mass.
-     *
-     * @param body in the body's frame, m, finite
-     * @return this
-     */
-    public Body centreOfMass(Vector3dc body) {
-        Checks.notNull("body", body);
-        return centreOfMass(body.x(), body.y(), body.z());
     }
 
     /**
@@ -353,14 +273,7 @@ public final class Body {
                 .inertia(p.ixx(), p.iyy(), p.izz(), p.ixy(), p.ixz(), p.iyz());
     }
 
-    /**
-     * Sets the velocity of the centre of mass at the start; ignored for fixed bodies.
-     *
-     * @param worldX m/s, finite
-     * @param worldY m/s, finite
-     * @param worldZ m/s, finite
-     * @return this
-     */
+    @Override
     public Body velocity(double worldX, double worldY, double worldZ) {
         Checks.finite("vx", worldX);
         Checks.finite("vy", worldY);
@@ -371,36 +284,7 @@ public final class Body {
         return this;
     }
 
-    /**
-     * Sets the velocity of the centre of mass at the start.
-     *
-     * @param world m/s, finite
-     * @return this
-     */
-    public Body velocity(Vector3dc world) {
-        Checks.notNull("world", world);
-        return velocity(world.x(), world.y(), world.z());
-    }
-
-    /**
-     * Sets the angular velocity at the start.
-     *
-     * @param world rad/s, finite
-     * @return this
-     */
-    public Body angularVelocity(Vector3dc world) {
-        Checks.notNull("world", world);
-        return angularVelocity(world.x(), world.y(), world.z());
-    }
-
-    /**
-     * Sets the angular velocity at the start; ignored for fixed bodies.
-     *
-     * @param worldX rad/s, finite
-     * @param worldY rad/s, finite
-     * @param worldZ rad/s, finite
-     * @return this
-     */
+    @Override
     public Body angularVelocity(double worldX, double worldY, double worldZ) {
         Checks.finite("wx", worldX);
         Checks.finite("wy", worldY);

@@ -4,7 +4,7 @@ import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.body.Lock;
-import dev.cairn.physics.contact.BoundsStage;
+import dev.cairn.physics.contact.StepLimits;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
@@ -387,9 +387,9 @@ final class BodyAccess {
                 table.roster.comY[s],
                 table.roster.comZ[s],
                 rotated);
-        rotated[0] = Checks.between("x", x + rotated[0], -BoundsStage.LIMIT, BoundsStage.LIMIT);
-        rotated[1] = Checks.between("y", y + rotated[1], -BoundsStage.LIMIT, BoundsStage.LIMIT);
-        rotated[2] = Checks.between("z", z + rotated[2], -BoundsStage.LIMIT, BoundsStage.LIMIT);
+        rotated[0] = Checks.between("x", x + rotated[0], -StepLimits.LARGEST, StepLimits.LARGEST);
+        rotated[1] = Checks.between("y", y + rotated[1], -StepLimits.LARGEST, StepLimits.LARGEST);
+        rotated[2] = Checks.between("z", z + rotated[2], -StepLimits.LARGEST, StepLimits.LARGEST);
     }
 
     private void put(

@@ -6,8 +6,11 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.GivenMass;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
+
+import java.util.List;
 
 /**
  * What a body is, changed while the world lives: type, shape, material, mass. The slot is alive.
@@ -67,34 +70,35 @@ final class BodyChanges {
 
     void setMaterial(int s, Material material) {
         Checks.notNull("material", material);
-        if (table.collision.isMadeOf(s, material)) {
+        ColliderTable collision = table.collision;
+        List<Collider> parts = collision.parts(s);
+        if (parts.stream().allMatch(part -> part.material().equals(material))) {
             return;
         }
+        parts.replaceAll(part -> part.material(material));
+        MassProperties mass = collision.massNow(s, parts);
         wakeAround(s);
-        table.collision.setMaterials(s, material);
+        for (ColliderRef part : collision.list(s)) {
+            collision.paint(part.slot(), material);
+        }
+        collision.settle(s, mass);
         learn(s);
     }
 
     void setMass(int s, double kilograms) {
-        wakeIfItFalls(s);
-        table.collision.stateMass(s, kilograms);
-        learn(s);
+        state(s, table.collision.stated(s).withMass(kilograms));
     }
 
     void setInertia(int s, double xx, double yy, double zz) {
         Checks.inertia(xx, yy, zz);
-        wakeIfItFalls(s);
-        table.collision.stateInertia(s, xx, yy, zz);
-        learn(s);
+        state(s, table.collision.stated(s).withInertia(xx, yy, zz));
     }
 
     void setCentreOfMass(int s, double x, double y, double z) {
         Checks.finite("centre x", x);
         Checks.finite("centre y", y);
         Checks.finite("centre z", z);
-        wakeIfItFalls(s);
-        table.collision.stateCentre(s, x, y, z);
-        learn(s);
+        state(s, table.collision.stated(s).withCentre(x, y, z));
     }
 
     void setCanSleep(int s, boolean may) {
@@ -106,10 +110,12 @@ final class BodyChanges {
     }
 
     /** The mass of what nothing moves concerns nobody. */
-    private void wakeIfItFalls(int s) {
+    private void state(int s, GivenMass mass) {
         if (table.access.type(s) == BodyType.DYNAMIC) {
             wakeAround(s);
         }
+        table.collision.state(s, mass);
+        learn(s);
     }
 
     /** What was learnt of the body's loads was another body's. */

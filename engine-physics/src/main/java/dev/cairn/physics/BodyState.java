@@ -4,6 +4,7 @@ import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.internal.GivenMass;
 import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.shape.Shape;
 
@@ -104,7 +105,7 @@ public abstract sealed class BodyState implements Jointed permits BodyRef {
      * @return kg; NaN if it follows from shapes and densities
      */
     public double statedMass() {
-        return table.collision.statedMass(alive());
+        return table.collision.stated(alive()).kilograms();
     }
 
     /**
@@ -114,7 +115,8 @@ public abstract sealed class BodyState implements Jointed permits BodyRef {
      * @return destination
      */
     public Vector3d statedInertia(Vector3d destination) {
-        return table.collision.statedInertia(alive(), Checks.notNull("destination", destination));
+        GivenMass m = table.collision.stated(alive());
+        return Checks.notNull("destination", destination).set(m.xx(), m.yy(), m.zz());
     }
 
     /**
@@ -124,7 +126,8 @@ public abstract sealed class BodyState implements Jointed permits BodyRef {
      * @return destination
      */
     public Vector3d statedProducts(Vector3d destination) {
-        return table.collision.statedProducts(alive(), Checks.notNull("destination", destination));
+        GivenMass m = table.collision.stated(alive());
+        return Checks.notNull("destination", destination).set(m.xy(), m.xz(), m.yz());
     }
 
     /**
@@ -134,7 +137,8 @@ public abstract sealed class BodyState implements Jointed permits BodyRef {
      * @return destination
      */
     public Vector3d statedCentreOfMass(Vector3d destination) {
-        return table.collision.statedCentre(alive(), Checks.notNull("destination", destination));
+        GivenMass m = table.collision.stated(alive());
+        return Checks.notNull("destination", destination).set(m.x(), m.y(), m.z());
     }
 
     /**

@@ -10,6 +10,7 @@ import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.contact.BoundsStage;
+import dev.cairn.physics.contact.StepLimits;
 import dev.cairn.physics.internal.BodyMass;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -225,7 +226,7 @@ final class BodyTable implements Stateful {
     }
 
     private static void checkReach(String name, double value) {
-        if (!(Math.abs(value) <= BoundsStage.LIMIT)) {
+        if (!(Math.abs(value) <= StepLimits.LARGEST)) {
             throw new IllegalArgumentException(
                     name + " is " + value + " m; it must be from -1e60 to 1e60");
         }

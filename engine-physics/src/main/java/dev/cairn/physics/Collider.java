@@ -4,17 +4,16 @@ import dev.cairn.core.state.StateCodec;
 import dev.cairn.core.state.StateInput;
 import dev.cairn.core.state.StateOutput;
 import dev.cairn.physics.collider.Filter;
-import dev.cairn.physics.collider.Mix;
 import dev.cairn.physics.internal.BodyMass;
 import dev.cairn.physics.internal.Checks;
-import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.GivenMass;
+import dev.cairn.physics.internal.Palettes;
 import dev.cairn.physics.internal.Rotations;
+import dev.cairn.physics.internal.Surface;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
-import dev.cairn.physics.shape.mesh.Meshed;
 import dev.cairn.physics.shape.union.ConvexUnion;
 
 import org.joml.Quaterniond;
@@ -44,7 +43,7 @@ public final class Collider {
     /** Of triangles with the numbers 1, 2, ...; never written to. */
     private final List<Material> materials;
 
-    /** Of these, as {@code ColliderStore.palette} has them. */
+    /** Of these, as {@code Palettes} has them. */
     private final double[] palette;
 
     /** Of the surface, body axes, m/s; NaN for the material's. */
@@ -62,40 +61,15 @@ public final class Collider {
         out.writeDoubles(pose());
         out.writeBoolean(material != null);
         if (material != null) {
-            write(material, out);
+            material.write(out);
         }
         out.writeObject(filter);
         out.writeObject(userData);
         out.writeBoolean(sensor);
         out.writeInt(materials.size());
         for (Material each : materials) {
-            write(each, out);
+            each.write(out);
         }
-    }
-
-    private static void write(Material m, StateOutput out) {
-        out.writeDouble(m.friction());
-        out.writeDouble(m.restitution());
-        out.writeDouble(m.density());
-        out.writeDouble(m.rollingArm());
-        out.writeString(m.frictionMix().name());
-        out.writeString(m.restitutionMix().name());
-        out.writeDouble(m.surfaceX());
-        out.writeDouble(m.surfaceY());
-        out.writeDouble(m.surfaceZ());
-    }
-
-    private static Material one(StateInput in) {
-        return new Material(
-                in.readDouble(),
-                in.readDouble(),
-                in.readDouble(),
-                in.readDouble(),
-                Mix.valueOf(in.readString()),
-                Mix.valueOf(in.readString()),
-                in.readDouble(),
-                in.readDouble(),
-                in.readDouble());
     }
 
     private static List<Material> many(StateInput in) {
@@ -105,7 +79,7 @@ public final class Collider {
         }
         List<Material> all = new ArrayList<>();
         for (int i = 0; i < count; i++) {
-            all.add(one(in));
+            all.add(Material.read(in));
         }
         return List.copyOf(all);
     }
@@ -113,7 +87,7 @@ public final class Collider {
     private static Collider read(StateInput in) {
         Shape shape = in.readObject(Shape.class);
         double[] pose = in.readDoubles();
-        Material material = in.readBoolean() ? one(in) : null;
+        Material material = in.readBoolean() ? Material.read(in) : null;
         Filter filter = in.readNullable(Filter.class);
         Object userData = in.readNullable(Object.class);
         return new Collider(shape, pose, material, filter, userData, in.readBoolean(), many(in));
@@ -310,23 +284,23 @@ public final class Collider {
         return materials;
     }
 
-    /** As {@code ColliderStore.palette} has them; not to be changed. */
+    /** As {@code Palettes} has them; not to be changed. */
     double[] palette() {
         return palette;
     }
 
     private static double[] palette(List<Material> materials) {
-        double[] all = new double[ColliderStore.MATERIAL * materials.size()];
+        double[] all = new double[Palettes.MATERIAL * materials.size()];
         for (int i = 0; i < materials.size(); i++) {
             Material m = materials.get(i);
-            int at = ColliderStore.MATERIAL * i;
+            int at = Palettes.MATERIAL * i;
             all[at] = m.friction();
             all[at + 1] = m.restitution();
             all[at + 2] = m.rollingArm();
             all[at + 3] = rules(m);
-            all[at + ColliderStore.BELT] = m.surfaceX();
-            all[at + ColliderStore.BELT + 1] = m.surfaceY();
-            all[at + ColliderStore.BELT + 2] = m.surfaceZ();
+            all[at + Palettes.BELT] = m.surfaceX();
+            all[at + Palettes.BELT + 1] = m.surfaceY();
+            all[at + Palettes.BELT + 2] = m.surfaceZ();
         }
         return all;
     }
@@ -416,7 +390,7 @@ public final class Collider {
 
     /** The shape, neither moved nor turned. */
     Shape solid() {
-        return placed instanceof Moved m ? m.inner() : placed;
+        return Surface.unmoved(placed);
     }
 
     /** The pose of its centre in the body, from a centre of mass: m, unit quaternion. */
@@ -435,7 +409,7 @@ public final class Collider {
     /** Mass, centre and inertia of the parts of a body, or what the user gave instead. */
     static MassProperties mass(List<Collider> parts, boolean fixed, GivenMass given) {
         for (Collider part : parts) {
-            if (!fixed && isSurface(part.shape())) {
+            if (!fixed && Surface.isMeshed(part.shape())) {
                 throw new IllegalArgumentException(
                         part.shape()
                                 + " is a surface without an inside, so its body cannot be dynamic;"
@@ -483,11 +457,6 @@ public final class Collider {
             return null;
         }
         return unions.get(0).placed();
-    }
-
-    /** Whether a shape has no inside. */
-    static boolean isSurface(Shape shape) {
-        return (shape instanceof Moved m ? m.inner() : shape) instanceof Meshed;
     }
 
     Material material() {

@@ -1,12 +1,15 @@
 package dev.cairn.physics;
 
 import dev.cairn.core.state.StateCodec;
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.shape.Shape;
 
 import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
 
 /**
  * A collider of a body in a world: a shape on it. Compare with {@code ==}: there is one reference
@@ -45,15 +48,6 @@ public final class ColliderRef {
 
     int slot() {
         return collider;
-    }
-
-    boolean isOf(ColliderTable owner) {
-        return table == owner;
-    }
-
-    /** It has another slot, or -1 for none. */
-    void move(int slot) {
-        collider = slot;
     }
 
     /**
@@ -189,5 +183,96 @@ public final class ColliderRef {
     @Override
     public String toString() {
         return "collider " + collider + " of " + body;
+    }
+
+    /** Those of a world, by slot; that of a collider that is gone stays until another one comes. */
+    static final class All {
+        private final ColliderTable table;
+        private ColliderRef[] refs = {};
+
+        /** Room to restore: those of the state, and those that there were. */
+        private ColliderRef[] saved = {}, before = {};
+
+        /** Where they say that their colliders are; room to save that. */
+        private int[] places = {};
+
+        All(ColliderTable table) {
+            this.table = table;
+        }
+
+        void ensureSlots(int slots) {
+            refs = Arrays.copyOf(refs, slots);
+        }
+
+        ColliderRef get(int collider) {
+            return refs[collider];
+        }
+
+        boolean has(int collider) {
+            return refs[collider] != null;
+        }
+
+        void begin(int collider, BodyRef body) {
+            refs[collider] = new ColliderRef(table, body, collider);
+        }
+
+        /** It stays here, for the events of its end. */
+        void end(int collider) {
+            refs[collider].collider = -1;
+        }
+
+        void move(ColliderRef ref, int collider) {
+            ref.collider = collider;
+            refs[collider] = ref;
+        }
+
+        void state(StateVisitor s, int slots, BodyRef[] bodies) {
+            s.section("colliderRefs", this);
+            if (places.length < slots) {
+                places = new int[refs.length];
+            }
+            for (int c = 0; c < slots && !s.isRestoring(); c++) {
+                places[c] = refs[c] == null ? -1 : refs[c].collider;
+            }
+            ColliderRef[] of = s.array("refs", s.isRestoring() ? saved : refs, slots);
+            places = s.array("places", places, slots);
+            if (s.isRestoring()) {
+                saved = of;
+                own(slots, bodies);
+            }
+        }
+
+        /**
+         * A reference that the world has given stays; for those of another one it makes its own.
+         */
+        private void own(int slots, BodyRef[] bodies) {
+            if (before.length < refs.length) {
+                before = new ColliderRef[refs.length];
+            }
+            System.arraycopy(refs, 0, before, 0, refs.length);
+            for (ColliderRef ref : refs) {
+                if (ref != null) {
+                    ref.collider = -1;
+                }
+            }
+            Arrays.fill(refs, null);
+            for (int c = 0; c < slots; c++) {
+                ColliderRef ref = saved[c];
+                if (ref == null) {
+                    continue;
+                }
+                if (ref.table != table) {
+                    BodyRef body = bodies[ref.body.slot()];
+                    ref = before[c] != null && before[c].body == body ? before[c] : null;
+                    ref = ref == null ? new ColliderRef(table, body, places[c]) : ref;
+                }
+                refs[c] = ref;
+            }
+            for (int c = 0; c < slots; c++) {
+                if (refs[c] != null) {
+                    refs[c].collider = places[c];
+                }
+            }
+        }
     }
 }

@@ -13,6 +13,7 @@ import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.GivenMass;
 import dev.cairn.physics.internal.GivenMasses;
+import dev.cairn.physics.internal.Surface;
 import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.state.GroundEdit;
@@ -44,17 +45,10 @@ final class ColliderTable implements Stateful {
 
     private @Nullable BiPredicate<ColliderRef, ColliderRef> asked;
 
-    /** By slot; that of a collider that is gone stays until the slot is used again. */
-    private ColliderRef[] refs = {};
-
-    /** Room to restore the references: those of the state, and those that there were. */
-    private ColliderRef[] savedRefs = {}, before = {};
+    private final ColliderRef.All refs;
 
     /** What each collider was made of, with material; its filter may be another one by now. */
     private Collider[] specs = {};
-
-    /** Where the references say that their colliders are; room to save them. */
-    private int[] places = {};
 
     /** By body: what the user gave instead. */
     private final GivenMasses given = new GivenMasses();
@@ -66,11 +60,12 @@ final class ColliderTable implements Stateful {
         pairFilter = table.roster.pairFilter;
         rules = new PairRules(colliders, pairFilter, broadPhase);
         wholes = new Wholes(table.roster, rules);
+        refs = new ColliderRef.All(this);
     }
 
     /** The reference to a collider, or to the last one in its slot. */
     ColliderRef ref(int collider) {
-        return refs[collider];
+        return refs.get(collider);
     }
 
     /** What a collider is made of; its filter may be another one by now. */
@@ -105,49 +100,11 @@ final class ColliderTable implements Stateful {
         s.section("colliderTable", this);
         ensureSlots();
         int slots = colliders.slotCount;
-        if (places.length < slots) {
-            places = new int[specs.length];
-        }
-        for (int c = 0; c < slots && !s.isRestoring(); c++) {
-            places[c] = refs[c] == null ? -1 : refs[c].slot();
-        }
-        ColliderRef[] saved = s.array("refs", s.isRestoring() ? savedRefs : refs, slots);
-        savedRefs = s.isRestoring() ? saved : savedRefs;
-        places = s.array("places", places, slots);
         specs = s.array("specs", specs, slots);
+        refs.state(s, slots, table.refs);
         given.state(s, slots);
-        if (s.isRestoring()) {
-            own(saved);
-        }
-    }
-
-    private void own(ColliderRef[] saved) {
-        if (before.length < refs.length) {
-            before = new ColliderRef[refs.length];
-        }
-        System.arraycopy(refs, 0, before, 0, refs.length);
-        ColliderRef[] now = before;
-        for (ColliderRef ref : refs) {
-            if (ref != null) {
-                ref.move(-1);
-            }
-        }
-        Arrays.fill(refs, null);
-        for (int c = 0; c < colliders.slotCount; c++) {
-            ColliderRef ref = saved[c];
-            if (ref == null) {
-                continue;
-            }
-            if (!ref.isOf(this)) {
-                BodyRef body = table.refs[ref.body().slot()];
-                ref = now[c] != null && now[c].body() == body ? now[c] : null;
-                ref = ref == null ? new ColliderRef(this, body, places[c]) : ref;
-            }
-            refs[c] = ref;
-        }
-        for (int c = 0; c < colliders.slotCount; c++) {
-            if (refs[c] != null) {
-                refs[c].move(places[c]);
+        for (int c = 0; c < slots && s.isRestoring(); c++) {
+            if (refs.has(c)) {
                 paint(c, specs[c]);
             }
         }
@@ -236,7 +193,7 @@ final class ColliderTable implements Stateful {
 
     /** A collider that is new in its slot. */
     private void begin(int c, Collider part) {
-        refs[c] = new ColliderRef(this, table.refs[colliders.body[c]], c);
+        refs.begin(c, table.refs[colliders.body[c]]);
         surface(c, part);
     }
 
@@ -267,7 +224,7 @@ final class ColliderTable implements Stateful {
 
     /** The materials of its triangles; returns the longest arm of rolling friction of these. */
     private double paint(int c, Collider part) {
-        colliders.setPalette(c, part.palette());
+        colliders.palettes.set(c, part.palette());
         double most = 0;
         for (int i = 0; i < part.materials().size(); i++) {
             most = Math.max(most, part.materials().get(i).rollingArm());
@@ -287,7 +244,8 @@ final class ColliderTable implements Stateful {
         table.changes.wakeAround(colliders.body[c]);
     }
 
-    private void paint(int c, Material material) {
+    /** Another surface of one collider; nothing follows yet. */
+    void paint(int c, Material material) {
         surface(c, now(c).material(material));
         ContactMaterials.mixAll(contacts(), c, colliders);
     }
@@ -296,7 +254,7 @@ final class ColliderTable implements Stateful {
         int n = colliders.body.length;
         if (specs.length < n) {
             specs = Arrays.copyOf(specs, n);
-            refs = Arrays.copyOf(refs, n);
+            refs.ensureSlots(n);
             given.ensureSlots(n);
         }
     }
@@ -322,11 +280,7 @@ final class ColliderTable implements Stateful {
     void remove(int collider) {
         int body = colliders.body[collider];
         List<Collider> parts = parts(body);
-        int at = 0;
-        for (int c = first(body); c != collider; c = colliders.next[c]) {
-            at++;
-        }
-        parts.remove(at);
+        parts.remove(placeOf(collider));
         if (parts.isEmpty()) {
             throw new IllegalStateException(
                     ref(collider)
@@ -354,7 +308,7 @@ final class ColliderTable implements Stateful {
                             + (whole.sensor ? " is no sensor" : " is a sensor")
                             + ", and stays so; remove it and add another one");
         }
-        if (Collider.isSurface(whole.shape()) != Collider.isSurface(specs[collider].shape())) {
+        if (Surface.isMeshed(whole.shape()) != Surface.isMeshed(specs[collider].shape())) {
             throw new IllegalArgumentException(
                     ref(collider)
                             + " is "
@@ -365,11 +319,7 @@ final class ColliderTable implements Stateful {
                             + " another one");
         }
         List<Collider> parts = parts(body);
-        int at = 0;
-        for (int c = first(body); c != collider; c = colliders.next[c]) {
-            at++;
-        }
-        parts.set(at, whole);
+        parts.set(placeOf(collider), whole);
         MassProperties mass = massNow(body, parts);
         boolean isOnly = collider == body;
         colliders.replace(collider, isOnly ? whole.placed : whole.solid());
@@ -400,7 +350,17 @@ final class ColliderTable implements Stateful {
         return true;
     }
 
-    private List<Collider> parts(int body) {
+    /** Where a collider is among the parts of its body. */
+    private int placeOf(int collider) {
+        int place = 0;
+        for (int c = first(colliders.body[collider]); c != collider; c = colliders.next[c]) {
+            place++;
+        }
+        return place;
+    }
+
+    /** What a body is made of, without the wholes. */
+    List<Collider> parts(int body) {
         List<Collider> parts = new ArrayList<>();
         for (int c = first(body); c != ColliderStore.NONE; c = colliders.next[c]) {
             if (!colliders.isWhole(c)) {
@@ -411,7 +371,7 @@ final class ColliderTable implements Stateful {
     }
 
     /** Throws before anything is changed. */
-    private MassProperties massNow(int body, List<Collider> parts) {
+    MassProperties massNow(int body, List<Collider> parts) {
         return mass(body, parts, colliders.bodies.inverseMass[body] == 0);
     }
 
@@ -432,7 +392,7 @@ final class ColliderTable implements Stateful {
         ColliderRef ref = ref(body);
         broadPhase.remove(body);
         colliders.detach(body);
-        move(ref, child(body, now(body)));
+        refs.move(ref, child(body, now(body)));
     }
 
     /**
@@ -448,18 +408,13 @@ final class ColliderTable implements Stateful {
         Collider part = now(c);
         takeOut(body, c);
         only(body, part);
-        move(ref, body);
+        refs.move(ref, body);
     }
 
     private void takeOut(int body, int collider) {
         colliders.remove(body, collider);
         table.roster.leaveChild(collider);
-        refs[collider].move(-1); // it stays here, for the events of its end
-    }
-
-    private void move(ColliderRef ref, int collider) {
-        ref.move(collider);
-        refs[collider] = ref;
+        refs.end(collider);
     }
 
     /**
@@ -485,7 +440,7 @@ final class ColliderTable implements Stateful {
     }
 
     /** States something of the mass, the rest follows from the parts. */
-    private void state(int body, GivenMass wanted) {
+    void state(int body, GivenMass wanted) {
         GivenMass old = given.get(body);
         given.set(body, wanted);
         MassProperties p;
@@ -505,58 +460,9 @@ final class ColliderTable implements Stateful {
         }
     }
 
-    double statedMass(int body) {
-        return given.get(body).kilograms();
-    }
-
-    Vector3d statedInertia(int body, Vector3d d) {
-        GivenMass m = given.get(body);
-        return d.set(m.xx(), m.yy(), m.zz());
-    }
-
-    Vector3d statedProducts(int body, Vector3d d) {
-        GivenMass m = given.get(body);
-        return d.set(m.xy(), m.xz(), m.yz());
-    }
-
-    Vector3d statedCentre(int body, Vector3d d) {
-        GivenMass m = given.get(body);
-        return d.set(m.x(), m.y(), m.z());
-    }
-
-    void stateMass(int body, double mass) {
-        state(body, given.get(body).withMass(mass));
-    }
-
-    void stateInertia(int body, double xx, double yy, double zz) {
-        state(body, given.get(body).withInertia(xx, yy, zz));
-    }
-
-    void stateCentre(int body, double x, double y, double z) {
-        state(body, given.get(body).withCentre(x, y, z));
-    }
-
-    /** Whether all colliders of a body are of a material already. */
-    boolean isMadeOf(int body, Material material) {
-        boolean all = true;
-        for (int c = first(body); c != ColliderStore.NONE; c = colliders.next[c]) {
-            all &= colliders.isWhole(c) || material.equals(specs[c].material());
-        }
-        return all;
-    }
-
-    /** Another surface of all colliders of a body, and the mass that follows from its density. */
-    void setMaterials(int body, Material material) {
-        List<Collider> parts = new ArrayList<>();
-        for (Collider part : parts(body)) {
-            parts.add(part.material(material));
-        }
-        MassProperties p = massNow(body, parts);
-        for (ColliderRef part : list(body)) {
-            paint(part.slot(), material);
-        }
-        settle(body, p);
-        table.changes.wakeAround(body);
+    /** What the user states of a body's mass. */
+    GivenMass stated(int body) {
+        return given.get(body);
     }
 
     /** As another world: its pairs are what they are, and are not asked anew. */

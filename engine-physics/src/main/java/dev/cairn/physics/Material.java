@@ -1,5 +1,7 @@
 package dev.cairn.physics;
 
+import dev.cairn.core.state.StateInput;
+import dev.cairn.core.state.StateOutput;
 import dev.cairn.physics.collider.Mix;
 import dev.cairn.physics.internal.Checks;
 
@@ -236,5 +238,31 @@ public record Material(
      */
     public static double mixRollingArm(Material a, Material b) {
         return Math.max(a.rollingArm, b.rollingArm);
+    }
+
+    void write(StateOutput out) {
+        out.writeDouble(friction);
+        out.writeDouble(restitution);
+        out.writeDouble(density);
+        out.writeDouble(rollingArm);
+        out.writeString(frictionMix.name());
+        out.writeString(restitutionMix.name());
+        out.writeDouble(surfaceX);
+        out.writeDouble(surfaceY);
+        out.writeDouble(surfaceZ);
+    }
+
+    /** What {@link #write} wrote. */
+    static Material read(StateInput in) {
+        return new Material(
+                in.readDouble(),
+                in.readDouble(),
+                in.readDouble(),
+                in.readDouble(),
+                Mix.valueOf(in.readString()),
+                Mix.valueOf(in.readString()),
+                in.readDouble(),
+                in.readDouble(),
+                in.readDouble());
     }
 }

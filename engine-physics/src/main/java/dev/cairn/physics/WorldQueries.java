@@ -99,22 +99,6 @@ public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met
         return this;
     }
 
-    /**
-     * Follows a ray to the first body.
-     *
-     * @param fromX where the ray starts, world, m, finite
-     * @param fromY see {@code fromX}
-     * @param fromZ see {@code fromX}
-     * @param directionX where it goes, world, any length above 0
-     * @param directionY see {@code directionX}
-     * @param directionZ see {@code directionX}
-     * @param maxDistance how far it goes, m, at least 0, may be infinite
-     * @param out receives the hit; unchanged when there is none
-     * @return the body, or {@code null} if there is none
-     * @throws IllegalArgumentException if a number is not finite, the direction is zero or the
-     *     distance negative
-     * @throws IllegalStateException if the world is closed or a step runs
-     */
     @Override
     public @Nullable BodyRef rayCast(
             double fromX,
@@ -135,20 +119,6 @@ public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met
         return cast(directionX, directionY, directionZ, maxDistance, out);
     }
 
-    /**
-     * Moves a shape, without turning it, to the first body that it touches.
-     *
-     * @param moving the shape where it starts; not a half-space
-     * @param directionX where it goes, world, any length above 0
-     * @param directionY see {@code directionX}
-     * @param directionZ see {@code directionX}
-     * @param maxDistance how far it goes, m, at least 0, may be infinite
-     * @param out receives the hit; unchanged when there is none
-     * @return the body, or {@code null} if there is none
-     * @throws IllegalArgumentException if a number is not finite, the direction is zero, the
-     *     distance negative, or the mover endless
-     * @throws IllegalStateException if the world is closed or a step runs
-     */
     @Override
     public @Nullable BodyRef shapeCast(
             Placement moving,
@@ -237,20 +207,6 @@ public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met
      */
     public record Met(ColliderRef collider, Hit hit) {}
 
-    /**
-     * Follows a ray through all that it meets. Each collider is met once, where the ray first
-     * touches it. Allocates a hit for each.
-     *
-     * @param fromX where the ray starts, world, m, finite
-     * @param fromY see {@code fromX}
-     * @param fromZ see {@code fromX}
-     * @param directionX where it goes, world, any length above 0
-     * @param directionY see {@code directionX}
-     * @param directionZ see {@code directionX}
-     * @param maxDistance how far it goes, m, at least 0, may be infinite
-     * @param out receives the hits, the nearest first, of equals in slot order, after what it holds
-     * @return how many there are
-     */
     @Override
     public int rayCastAll(
             double fromX,
@@ -275,17 +231,6 @@ public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met
                 out);
     }
 
-    /**
-     * Moves a shape, without turning it, through all that it meets. As {@link #rayCastAll}.
-     *
-     * @param moving the shape where it starts; not a half-space
-     * @param directionX where it goes, world, any length above 0
-     * @param directionY see {@code directionX}
-     * @param directionZ see {@code directionX}
-     * @param maxDistance how far it goes, m, at least 0, may be infinite
-     * @param out receives the hits, the nearest first, of equals in slot order, after what it holds
-     * @return how many there are
-     */
     @Override
     public int shapeCastAll(
             Placement moving,

@@ -21,12 +21,6 @@ import java.util.Arrays;
  * <p>Simulation thread; allocates only when the number of bodies grows.
  */
 public final class BoundsStage {
-    /**
-     * The largest coordinate (m), speed (m/s) and surface speed (m/s) that the step computes with:
-     * the fourth power of it is still a number.
-     */
-    public static final double LIMIT = 1e60;
-
     private static final double MOST = Double.POSITIVE_INFINITY;
     private static final int BODIES_PER_BLOCK = 128;
     private static final byte STAYS = 0;
@@ -437,17 +431,8 @@ public final class BoundsStage {
         double vx = b.velocityX[s] + step * (scale * gravityX + b.forceX[s] * inverseMass);
         double vy = b.velocityY[s] + step * (scale * gravityY + b.forceY[s] * inverseMass);
         double vz = b.velocityZ[s] + step * (scale * gravityZ + b.forceZ[s] * inverseMass);
-        double outer = b.outerRadius[s];
-        double spin = spinBound(s);
-        boolean valid =
-                Math.abs(vx) <= LIMIT
-                        && Math.abs(vy) <= LIMIT
-                        && Math.abs(vz) <= LIMIT
-                        && spin <= LIMIT
-                        && spin * outer <= LIMIT
-                        && Math.abs(b.positionX[s]) <= LIMIT
-                        && Math.abs(b.positionY[s]) <= LIMIT
-                        && Math.abs(b.positionZ[s]) <= LIMIT;
+        double spin = StepLimits.spin(b, s, step);
+        boolean valid = StepLimits.allow(b, s, vx, vy, vz, spin);
         int changes = 0;
         for (int c = b.collider[s]; c != ColliderStore.NONE; c = colliders.next[c]) {
             state[c] =
@@ -529,24 +514,5 @@ public final class BoundsStage {
         return now[low] <= min
                 && max <= now[high]
                 && extent <= fatMax - fatMin + 4 * margin + 4 * Math.abs(lead);
-    }
-
-    /** An upper bound of the angular speed at the end of the tick, rad/s. */
-    private double spinBound(int s) {
-        BodyStore b = bodies;
-        double wx = b.angularVelocityX[s];
-        double wy = b.angularVelocityY[s];
-        double wz = b.angularVelocityZ[s];
-        double tx = Math.abs(b.torqueX[s]);
-        double ty = Math.abs(b.torqueY[s]);
-        double tz = Math.abs(b.torqueZ[s]);
-        double spin = Math.sqrt(wx * wx + wy * wy + wz * wz);
-        double torque = tx + ty + tz;
-        if (torque == 0) {
-            return spin;
-        }
-        // The largest eigenvalue of a positive symmetric matrix is at most its trace.
-        double trace = b.inverseInertiaXX[s] + b.inverseInertiaYY[s] + b.inverseInertiaZZ[s];
-        return spin + step * torque * trace;
     }
 }

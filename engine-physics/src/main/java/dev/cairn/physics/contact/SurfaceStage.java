@@ -8,6 +8,7 @@ import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.MovedTurn;
 import dev.cairn.physics.internal.Poses;
+import dev.cairn.physics.internal.Surface;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.mesh.ContactList;
 import dev.cairn.physics.narrowphase.mesh.MeshContact;
@@ -140,7 +141,7 @@ final class SurfaceStage {
 
     /** The triangles of a collider's shape, or null. */
     static @Nullable TriangleSet triangles(Shape shape) {
-        Shape inner = shape instanceof Moved m ? m.inner() : shape;
+        Shape inner = Surface.unmoved(shape);
         return inner instanceof Meshed m ? TriangleSet.of(m) : null;
     }
 
@@ -267,7 +268,7 @@ final class SurfaceStage {
     private void touch(int row, int triangle) {
         if (contacts.triangle[row] != triangle + 1) {
             contacts.triangle[row] = triangle + 1;
-            if (colliders.palette.length > 0) {
+            if (colliders.palettes.any()) {
                 ContactMaterials.mix(contacts, row, colliders);
             }
         }

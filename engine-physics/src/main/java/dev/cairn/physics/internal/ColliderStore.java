@@ -4,7 +4,6 @@ import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.collider.Mix;
-import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.mesh.Meshed;
@@ -81,18 +80,8 @@ public final class ColliderStore implements Stateful {
     /** What the user attached. */
     public @Nullable Object[] userData = {};
 
-    /**
-     * Of surfaces with several materials: friction, restitution, arm of rolling friction, rules of
-     * mixing, and from {@link #BELT} the velocity of the surface, of each number from 1 on. Follows
-     * from what the colliders were made of.
-     */
-    public double[][] palette = {};
-
-    /** Numbers of a material in {@link #palette}. */
-    public static final int MATERIAL = 7;
-
-    /** Where in a material of {@link #palette} its surface's velocity is, body axes, m/s. */
-    public static final int BELT = 4;
+    /** Of surfaces with several materials. Follows from what the colliders were made of. */
+    public final Palettes palettes = new Palettes();
 
     /** Arm of rolling friction, m. */
     public double[] rollingArm = {};
@@ -325,7 +314,7 @@ public final class ColliderStore implements Stateful {
         shape[collider] = solid;
         surface[collider] = Surface.of(solid);
         Surface.revolution(solid, bodies.revolution, BodyStore.REVOLUTION * collider);
-        surfaces |= (solid instanceof Moved m ? m.inner() : solid) instanceof Meshed;
+        surfaces |= Surface.isMeshed(solid);
         innerRadius[collider] = solid.innerRadius();
         outerRadius[collider] = solid.outerRadius();
     }
@@ -340,7 +329,7 @@ public final class ColliderStore implements Stateful {
      */
     public void setBelt(int collider, double x, double y, double z) {
         if (!belts) {
-            if (x == 0 && y == 0 && z == 0 && !hasBelt(collider)) {
+            if (x == 0 && y == 0 && z == 0 && !palettes.runs(collider)) {
                 return;
             }
             belts = true;
@@ -351,33 +340,9 @@ public final class ColliderStore implements Stateful {
         belt[3 * collider + 2] = z;
     }
 
-    /** Whether a material beside the collider's own runs along. */
-    private boolean hasBelt(int collider) {
-        double[] all = palette.length > collider ? palette[collider] : NOTHING;
-        boolean has = false;
-        for (int at = BELT; at < all.length; at += MATERIAL) {
-            has |= all[at] != 0 || all[at + 1] != 0 || all[at + 2] != 0;
-        }
-        return has;
-    }
-
-    /** Gives a collider materials beside its own, or takes them; see {@link #palette}. */
-    public void setPalette(int collider, double[] materials) {
-        if (palette.length <= collider) {
-            if (materials.length == 0) {
-                return;
-            }
-            int old = palette.length;
-            palette = Arrays.copyOf(palette, Math.max(body.length, collider + 1));
-            Arrays.fill(palette, old, palette.length, NOTHING);
-        }
-        palette[collider] = materials;
-    }
-
     /** Whether a collider is a surface of triangles. */
     public boolean isSurface(int collider) {
-        Shape s = shape[collider];
-        return (s instanceof Moved m ? m.inner() : s) instanceof Meshed;
+        return Surface.isMeshed(shape[collider]);
     }
 
     /**
@@ -386,16 +351,9 @@ public final class ColliderStore implements Stateful {
      * @return -1 for the collider's own material
      */
     public int material(int collider, int triangle) {
-        if (palette.length <= collider || palette[collider].length == 0) {
-            return -1;
-        }
-        Shape s = shape[collider];
-        int number =
-                (s instanceof Moved m ? m.inner() : s) instanceof Meshed mesh
-                        ? mesh.material(triangle)
-                        : 0;
-        int at = MATERIAL * (number - 1);
-        return at < palette[collider].length ? at : -1;
+        return palettes.has(collider) && Surface.unmoved(shape[collider]) instanceof Meshed mesh
+                ? palettes.at(collider, mesh.material(triangle))
+                : -1;
     }
 
     /**
@@ -462,7 +420,7 @@ public final class ColliderStore implements Stateful {
         for (int c = first; belts && c != NONE; c = next[c]) {
             int u = 3 * c;
             b.hasBelt[slot] |= belt[u] != 0 || belt[u + 1] != 0 || belt[u + 2] != 0;
-            b.hasBelt[slot] |= hasBelt(c);
+            b.hasBelt[slot] |= palettes.runs(c);
         }
         if (b.hasBelt[slot] && b.belts == 0) {
             b.belts = 1;

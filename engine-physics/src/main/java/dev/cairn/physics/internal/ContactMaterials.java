@@ -107,7 +107,7 @@ public final class ContactMaterials {
         if (at < 0) {
             return false;
         }
-        double[] own = colliders.palette[s];
+        double[] own = colliders.palettes.of(s);
         mix(
                 c,
                 row,

@@ -11,6 +11,7 @@ import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.TriangleMesh;
+import dev.cairn.physics.shape.mesh.Meshed;
 
 /**
  * What the surface of a collider is made of, as far as it matters to who computes with contacts.
@@ -62,6 +63,25 @@ public final class Surface {
     }
 
     /**
+     * A shape without its place in the body.
+     *
+     * @param shape any
+     * @return the shape, neither moved nor turned
+     */
+    public static Shape unmoved(Shape shape) {
+        return shape instanceof Moved m ? m.inner() : shape;
+    }
+
+    /**
+     * Whether a shape is of triangles, without an inside.
+     *
+     * @param shape any, moved or not
+     */
+    public static boolean isMeshed(Shape shape) {
+        return unmoved(shape) instanceof Meshed;
+    }
+
+    /**
      * What a solid of revolution turns about.
      *
      * @param shape any
@@ -71,7 +91,7 @@ public final class Surface {
      * @param at where to write the four numbers
      */
     public static void revolution(Shape shape, double[] dest, int at) {
-        Shape inner = shape instanceof Moved m ? m.inner() : shape;
+        Shape inner = unmoved(shape);
         boolean isTurned =
                 inner instanceof Capsule || inner instanceof Cylinder || inner instanceof Cone;
         double x = 0;

@@ -1,6 +1,7 @@
 package dev.cairn.physics.query;
 
 import dev.cairn.physics.internal.MovedTurn;
+import dev.cairn.physics.internal.Surface;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.ConvexHull;
@@ -44,7 +45,7 @@ final class MeshQueries {
 
     /** The triangles of a shape, or null. */
     static @Nullable TriangleSet triangles(Shape shape) {
-        Shape inner = shape instanceof Moved m ? m.inner() : shape;
+        Shape inner = Surface.unmoved(shape);
         return inner instanceof Meshed m ? TriangleSet.of(m) : null;
     }
 

@@ -1,9 +1,9 @@
 package dev.cairn.physics.query;
 
 import dev.cairn.physics.internal.Rotations;
+import dev.cairn.physics.internal.Surface;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.mesh.TriangleSet;
@@ -119,7 +119,7 @@ final class Sweeps {
         f.shape = p.shape;
         f.turned(p.qx, p.qy, p.qz, p.qw);
         move(f, m, centre, p.x, p.y, p.z);
-        Shape inner = p.shape instanceof Moved moved ? moved.inner() : p.shape;
+        Shape inner = Surface.unmoved(p.shape);
         double outer = p.shape.outerRadius();
         f.begin(outer < Double.POSITIVE_INFINITY ? outer : far, inner instanceof Sphere);
     }

@@ -7,7 +7,9 @@ import java.util.List;
 
 /**
  * Casts through a world, with points and directions as JOML's vectors beside three doubles. The
- * thread and the errors are those of who implements it.
+ * thread is that of who implements it. Each throws an IllegalArgumentException if a number is not
+ * finite, the direction is zero, the distance negative or what moves endless, and an
+ * IllegalStateException if the world is closed or a step runs.
  *
  * @param <B> a body
  * @param <M> a collider that was met, and where
@@ -58,7 +60,8 @@ public interface VectorCasts<B, M> {
     }
 
     /**
-     * Follows a ray through all that it meets.
+     * Follows a ray through all that it meets. Each collider is met once, where the ray first
+     * touches it. Allocates a hit for each.
      *
      * @param fromX where the ray starts, world, m, finite
      * @param fromY see {@code fromX}
@@ -67,7 +70,7 @@ public interface VectorCasts<B, M> {
      * @param directionY see {@code directionX}
      * @param directionZ see {@code directionX}
      * @param maxDistance how far it goes, m, at least 0, may be infinite
-     * @param out receives the hits, the nearest first, after what it holds
+     * @param out receives the hits, the nearest first, of equals in slot order, after what it holds
      * @return how many there are
      */
     int rayCastAll(
@@ -81,12 +84,13 @@ public interface VectorCasts<B, M> {
             List<? super M> out);
 
     /**
-     * Follows a ray through all that it meets.
+     * Follows a ray through all that it meets. Each collider is met once, where the ray first
+     * touches it. Allocates a hit for each.
      *
      * @param from where the ray starts, world, m, finite
      * @param direction where it goes, world, any length above 0
      * @param maxDistance how far it goes, m, at least 0, may be infinite
-     * @param out receives the hits, the nearest first, after what it holds
+     * @param out receives the hits, the nearest first, of equals in slot order, after what it holds
      * @return how many there are
      */
     default int rayCastAll(
@@ -136,14 +140,15 @@ public interface VectorCasts<B, M> {
     }
 
     /**
-     * Moves a shape, without turning it, through all that it meets.
+     * Moves a shape, without turning it, through all that it meets. Each collider is met once,
+     * where it is first touched. Allocates a hit for each.
      *
      * @param moving the shape where it starts; not a half-space
      * @param directionX where it goes, world, any length above 0
      * @param directionY see {@code directionX}
      * @param directionZ see {@code directionX}
      * @param maxDistance how far it goes, m, at least 0, may be infinite
-     * @param out receives the hits, the nearest first, after what it holds
+     * @param out receives the hits, the nearest first, of equals in slot order, after what it holds
      * @return how many there are
      */
     int shapeCastAll(
@@ -155,12 +160,13 @@ public interface VectorCasts<B, M> {
             List<? super M> out);
 
     /**
-     * Moves a shape, without turning it, through all that it meets.
+     * Moves a shape, without turning it, through all that it meets. Each collider is met once,
+     * where it is first touched. Allocates a hit for each.
      *
      * @param moving the shape where it starts; not a half-space
      * @param direction where it goes, world, any length above 0
      * @param maxDistance how far it goes, m, at least 0, may be infinite
-     * @param out receives the hits, the nearest first, after what it holds
+     * @param out receives the hits, the nearest first, of equals in slot order, after what it holds
      * @return how many there are
      */
     default int shapeCastAll(

@@ -7,7 +7,7 @@ import dev.cairn.core.ecs.component.IntField;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.component.Velocity;
-import dev.cairn.physics.contact.BoundsStage;
+import dev.cairn.physics.contact.StepLimits;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Rotations;
 
@@ -178,7 +178,7 @@ public final class Publisher {
     }
 
     private static boolean isValid(BodyStore b, int s) {
-        double limit = BoundsStage.LIMIT;
+        double limit = StepLimits.LARGEST;
         return Math.abs(b.positionX[s]) <= limit
                 && Math.abs(b.positionY[s]) <= limit
                 && Math.abs(b.positionZ[s]) <= limit

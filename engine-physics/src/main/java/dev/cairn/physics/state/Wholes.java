@@ -219,7 +219,7 @@ public final class Wholes {
         k.mixing[w] = k.mixing[like];
         k.sensor[w] = false;
         k.userData[w] = null;
-        k.setPalette(w, new double[0]);
+        k.palettes.set(w, new double[0]);
         if (k.belts) {
             System.arraycopy(k.belt, 3 * like, k.belt, 3 * w, 3);
         }

@@ -6,6 +6,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.Palettes;
 import dev.cairn.physics.internal.Rotations;
 
 /**
@@ -66,8 +67,8 @@ public final class BeltStage {
         int triangle = contacts.grouped ? contacts.triangle[row] : 0;
         int material = triangle > 0 ? colliders.material(collider, triangle - 1) : -1;
         if (material >= 0) {
-            belt = colliders.palette[collider];
-            at = material + ColliderStore.BELT;
+            belt = colliders.palettes.of(collider);
+            at = material + Palettes.BELT;
         }
         if ((belt[at] == 0 && belt[at + 1] == 0 && belt[at + 2] == 0)
                 || b.kind[body] == BodyStore.ASLEEP) {
