@@ -5,6 +5,9 @@ import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.sli
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.Dependency;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
@@ -15,8 +18,13 @@ import org.junit.jupiter.api.Test;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -25,6 +33,8 @@ import java.util.stream.Stream;
 final class PackagesTest {
     /** Files that one folder may hold before it wants sections. */
     private static final int MOST_FILES = 25;
+
+    private static final int LARGEST_CIRCLE = 8;
 
     /** Of a file that can be read in one go. */
     private static final int MOST_LINES = 500;
@@ -41,6 +51,48 @@ final class PackagesTest {
                             })
                     .should()
                     .beFreeOfCycles();
+
+    /**
+     * Classes of the physics that know each other in a circle are few enough to be read together;
+     * that a sealed type names what it permits is none.
+     */
+    @ArchTest
+    static void circlesOfClassesAreSmall(JavaClasses all) {
+        Map<String, Set<String>> known = new TreeMap<>();
+        for (JavaClass type : all) {
+            if (type.getPackageName().startsWith("dev.cairn.physics")) {
+                Set<String> of = known.computeIfAbsent(outer(type), key -> new TreeSet<>());
+                for (Dependency dependency : type.getDirectDependenciesFromSelf()) {
+                    of.add(outer(dependency.getTargetClass()));
+                }
+            }
+        }
+        Map<String, Set<String>> reached = new TreeMap<>();
+        known.forEach((type, of) -> reached.put(type, reached(type, known)));
+        reached.forEach((type, of) -> {
+            List<String> circle = of.stream().filter(b -> reached.get(b).contains(type)).toList();
+            assertTrue(circle.size() <= LARGEST_CIRCLE, () -> "in a circle: " + circle);
+        });
+        assertTrue(known.size() > 300, "classes: " + known.size());
+    }
+
+    private static Set<String> reached(String from, Map<String, Set<String>> known) {
+        Set<String> all = new TreeSet<>(Set.of(from));
+        Deque<String> open = new ArrayDeque<>(all);
+        while (!open.isEmpty()) {
+            for (String next : known.get(open.pop())) {
+                if (known.containsKey(next) && all.add(next)) {
+                    open.push(next);
+                }
+            }
+        }
+        return all;
+    }
+
+    private static String outer(JavaClass type) {
+        String name = type.getBaseComponentType().getName();
+        return name.contains("$") ? name.substring(0, name.indexOf('$')) : name;
+    }
 
     @Test
     void foldersAreSmall() throws IOException {

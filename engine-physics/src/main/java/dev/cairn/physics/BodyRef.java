@@ -403,7 +403,7 @@ public final class BodyRef extends BodyState implements Pushed {
      * @return their numbers in {@link PhysicsWorld#contacts}, ascending
      */
     public int[] contacts() {
-        return table.view().of(alive());
+        return table.contactsOf.apply(alive());
     }
 
     /**

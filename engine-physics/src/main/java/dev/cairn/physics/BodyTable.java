@@ -1,6 +1,5 @@
 package dev.cairn.physics;
 
-import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.ecs.component.Component;
 import dev.cairn.core.snapshot.Pose;
@@ -29,6 +28,7 @@ import org.jspecify.annotations.Nullable;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntFunction;
 
 /**
  * The bodies of a world as users know them: a reference, a material and a shape to each slot of the
@@ -37,8 +37,6 @@ import java.util.List;
 final class BodyTable implements Stateful {
     /** No entity. */
     private static final long NONE = 0;
-
-    private static final long[] NOBODY = {};
 
     private static final BodyRef[] NO_BODIES = {};
 
@@ -72,7 +70,9 @@ final class BodyTable implements Stateful {
 
     private final List<BodyRef> quarantined = new ArrayList<>();
     private boolean closed;
-    private @Nullable ContactView view;
+
+    /** The numbers of a body's contacts, as {@link PhysicsWorld#contacts} has them. */
+    IntFunction<int[]> contactsOf = slot -> new int[0];
 
     /** While the physics runs nobody else may change a body; read by any thread. */
     volatile boolean isStepping;
@@ -89,18 +89,6 @@ final class BodyTable implements Stateful {
         pushes = new Pushes(roster);
         collision = new ColliderTable(this);
         changes = new BodyChanges(this);
-    }
-
-    /** What users see of contacts. */
-    ContactView view() {
-        if (view == null) {
-            throw new IllegalStateException("the physics is not complete yet");
-        }
-        return view;
-    }
-
-    void show(ContactView value) {
-        view = value;
     }
 
     World world() {
@@ -232,34 +220,6 @@ final class BodyTable implements Stateful {
         }
     }
 
-    /** Makes bodies of the entities with {@link NewBody}, between steps, in order of their rows. */
-    void adopt(Query newcomers) {
-        for (long entity : entities(newcomers)) {
-            Body body = world().get(entity, NewBody.COMPONENT).body();
-            world().remove(entity, NewBody.COMPONENT);
-            add(body, entity);
-        }
-    }
-
-    /** Makes the changes that were asked for by {@link Body.Change}, in order of their rows. */
-    void change(Query asked) {
-        for (long entity : entities(asked)) {
-            Body.Change change = world().get(entity, Body.Change.COMPONENT);
-            world().delete(entity);
-            if (!world().isAlive(change.entity())) {
-                continue; // it was deleted in the same step
-            }
-            BodyRef body = of(change.entity());
-            if (body == null) {
-                throw new IllegalArgumentException(
-                        "a Body.Change names entity "
-                                + change.entity()
-                                + ", which is no body; pass BodyRef.entity()");
-            }
-            change.change().accept(body);
-        }
-    }
-
     /** The body of an entity that is alive, or {@code null}. */
     @Nullable BodyRef of(long entity) {
         if (!world().has(entity, RigidBody.COMPONENT)) {
@@ -267,22 +227,6 @@ final class BodyTable implements Stateful {
         }
         BodyRef ref = refs[world().get(entity, RigidBody.COMPONENT).slot()];
         return ref.entity() == entity ? ref : null;
-    }
-
-    /** A list, because what is done with them changes the tables. */
-    private static long[] entities(Query query) {
-        int count = query.entityCount();
-        if (count == 0) {
-            return NOBODY;
-        }
-        long[] found = new long[count];
-        int n = 0;
-        for (int c = 0; c < query.chunkCount(); c++) {
-            for (int row = 0; row < query.chunk(c).size(); row++) {
-                found[n++] = query.chunk(c).entity(row);
-            }
-        }
-        return found;
     }
 
     private void give(long entity, Record[] records) {

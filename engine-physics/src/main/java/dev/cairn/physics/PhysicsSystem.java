@@ -121,7 +121,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         forces = new ForceReader(table.roster);
         publisher = new Publisher(table.roster);
         view = new ContactView(table, contacts, events, bodyEvents, sensors);
-        table.show(view);
+        table.contactsOf = view::of;
         sleepView = new SleepView(table);
     }
 

@@ -187,10 +187,38 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
             stepping = false;
         }
         physics.table.access.takePoses();
-        physics.table.adopt(newcomers);
-        physics.table.change(changes);
+        adopt();
+        change();
         joints.endStep();
         physics.view.tell();
+    }
+
+    /** Makes bodies of the entities with {@link NewBody}, in order of their rows. */
+    private void adopt() {
+        for (long entity : newcomers.entities()) {
+            Body body = ecs.get(entity, NewBody.COMPONENT).body();
+            ecs.remove(entity, NewBody.COMPONENT);
+            physics.table.add(body, entity);
+        }
+    }
+
+    /** Makes the changes that were asked for by {@link Body.Change}, in order of their rows. */
+    private void change() {
+        for (long entity : changes.entities()) {
+            Body.Change change = ecs.get(entity, Body.Change.COMPONENT);
+            ecs.delete(entity);
+            if (!ecs.isAlive(change.entity())) {
+                continue; // it was deleted in the same step
+            }
+            BodyRef body = physics.table.of(change.entity());
+            if (body == null) {
+                throw new IllegalArgumentException(
+                        "a Body.Change names entity "
+                                + change.entity()
+                                + ", which is no body; pass BodyRef.entity()");
+            }
+            change.change().accept(body);
+        }
     }
 
     /**

@@ -16,6 +16,8 @@ import java.util.function.LongConsumer;
  * <p>Creating and deleting during a walk moves rows between chunks; collect first, change after.
  */
 public final class Query {
+    private static final long[] NOBODY = {};
+
     private final WorldContents world;
     private final Access access;
     private final ChunkList chunks;
@@ -91,5 +93,26 @@ public final class Query {
             total += chunks.get(i).size();
         }
         return total;
+    }
+
+    /**
+     * The matching entities as they are now, in the order of chunks and rows: a list that stays
+     * while what is done with them creates and deletes others.
+     *
+     * @return a copy; allocates, unless there are none
+     */
+    public long[] entities() {
+        int count = entityCount();
+        if (count == 0) {
+            return NOBODY;
+        }
+        long[] found = new long[count];
+        int n = 0;
+        for (int c = 0; c < chunkCount(); c++) {
+            for (int row = 0; row < chunk(c).size(); row++) {
+                found[n++] = chunk(c).entity(row);
+            }
+        }
+        return found;
     }
 }

@@ -16,7 +16,6 @@ import java.util.List;
  * ends. Simulation thread, between steps.
  */
 final class JointEntities {
-    private static final long[] NOBODY = {};
     private static final JointRef[] NO_JOINTS = {};
 
     private final Joints joints;
@@ -144,7 +143,7 @@ final class JointEntities {
 
     /** Makes joints of the entities with {@link NewJoint}, in order of their rows. */
     private void adopt() {
-        for (long entity : entities(newcomers)) {
+        for (long entity : newcomers.entities()) {
             Joint joint = ecs.get(entity, NewJoint.COMPONENT).joint();
             long a = resolved(joint.a.entity());
             long b = resolved(joint.b.entity());
@@ -176,7 +175,7 @@ final class JointEntities {
 
     /** Makes the changes that were asked for, in order of their rows. */
     private void change() {
-        for (long entity : entities(asked)) {
+        for (long entity : asked.entities()) {
             JointChange change = ecs.get(entity, JointChange.COMPONENT);
             ecs.delete(entity);
             long of = resolved(change.entity());
@@ -192,21 +191,5 @@ final class JointEntities {
             }
             change.change().accept(joint);
         }
-    }
-
-    /** A list, because what is done with them changes the tables. */
-    private static long[] entities(Query query) {
-        int count = query.entityCount();
-        if (count == 0) {
-            return NOBODY;
-        }
-        long[] found = new long[count];
-        int n = 0;
-        for (int c = 0; c < query.chunkCount(); c++) {
-            for (int row = 0; row < query.chunk(c).size(); row++) {
-                found[n++] = query.chunk(c).entity(row);
-            }
-        }
-        return found;
     }
 }

@@ -11,6 +11,18 @@ public final class Assembly {
     /** Patience beyond which it is taken to fail always. */
     private static final int ROUGH = 16;
 
+    /** Points of a contact, of which each has a number in {@link #blows}. */
+    static final int POINTS = 4;
+
+    /** Numbers to a body of {@link #kept}: velocity, movement, mark, orientation. */
+    static final int KEPT = 22;
+
+    /** Numbers to a body of {@link #carried}: state, mark, warm start, root, turn. */
+    static final int CARRIED = 44;
+
+    /** Numbers to a body of {@link #first}: velocity and mark. */
+    static final int FIRST = 12;
+
     /** Slots of its bodies that move, ascending. */
     public final int[] body;
 
@@ -58,7 +70,7 @@ public final class Assembly {
     /** By row: effective inverse mass of the row alone, 1/kg or 1/(kg m²). */
     final double[] compliance;
 
-    /** Room to take a movement back: numbers of {@link PositionTrial#KEPT} to a body. */
+    /** Room to take a movement back: numbers of {@link #KEPT} to a body. */
     final double[] kept;
 
     /** By body: its frequency under tension, rad/s. Steps that this wants of a sub-step. */
@@ -120,7 +132,7 @@ public final class Assembly {
     int standCount;
 
     /**
-     * By point of these: impulse that {@link ContactCoupling} gave in the sub-step; whether any.
+     * By point of these: impulse that {@code ContactCoupling} gave in the sub-step; whether any.
      */
     double[] blows = {};
 
@@ -130,7 +142,7 @@ public final class Assembly {
     void stand(int edge) {
         if (standCount == stand.length) {
             stand = Arrays.copyOf(stand, 2 * standCount + 4);
-            blows = new double[ContactCoupling.POINTS * stand.length];
+            blows = new double[POINTS * stand.length];
         }
         stand[standCount++] = edge;
     }
@@ -206,11 +218,11 @@ public final class Assembly {
         isActive = new boolean[n];
         compliance = new double[n];
         impulse = new double[n];
-        first = new double[JointWork.FIRST * body.length];
+        first = new double[FIRST * body.length];
         firstImpulse = new double[n];
         quick = new double[body.length];
-        carried = new double[Swing.CARRIED * body.length];
+        carried = new double[CARRIED * body.length];
         taut = new double[9 * body.length];
-        kept = new double[PositionTrial.KEPT * body.length];
+        kept = new double[KEPT * body.length];
     }
 }

@@ -40,9 +40,6 @@ import java.util.Arrays;
  * 7.
  */
 abstract class ContactCoupling extends GapClosing {
-    /** Most points to a contact. */
-    static final int POINTS = 4;
-
     private static final int SWEEPS = 100;
 
     /** Share of a change, of the largest impulse, at which points agree. */
@@ -106,7 +103,7 @@ abstract class ContactCoupling extends GapClosing {
             for (int p = 0; p < rows.points(j); p++) {
                 int q = o + (POINT + p * POINT_FIELDS) * rows.lanes;
                 int l = q + IMPULSE * rows.lanes;
-                double part = Math.min(s.blows[POINTS * e + p], rows.doubles[l]);
+                double part = Math.min(s.blows[Assembly.POINTS * e + p], rows.doubles[l]);
                 if (part > 0) {
                     rows.doubles[l] -= part;
                     int arm = q + (side == 0 ? 0 : ARM_B * rows.lanes);
@@ -160,7 +157,7 @@ abstract class ContactCoupling extends GapClosing {
                 sum[points] = o + (SUM + p) * lanes;
                 link[points] = rows.link[j * LINK + side] * (side == 0 ? -1 : 1);
                 node[points] = n;
-                place[points] = POINTS * e + p;
+                place[points] = Assembly.POINTS * e + p;
                 miss[points] = v;
                 give[points++] = 0;
             }

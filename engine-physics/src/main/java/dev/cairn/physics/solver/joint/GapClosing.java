@@ -4,6 +4,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.body.SolverContext;
 
 /**
  * Closes joints that are open already, bodies that were put elsewhere or pushed by contacts, by
@@ -66,7 +67,7 @@ abstract class GapClosing extends HoldingRows {
             for (int c = 0; c < 6; c++) {
                 pushed[c] = v[o + c] - mark[w + c];
             }
-            Swing.renew(tick, i);
+            renew(tick, i);
             for (int c = 0; c < 6; c++) {
                 mark[w + c] = v[o + c] - pushed[c];
             }
@@ -182,5 +183,20 @@ abstract class GapClosing extends HoldingRows {
             turn[c] =
                     l[q + 3 * c] * x[u] + l[q + 3 * c + 1] * x[u + 1] + l[q + 3 * c + 2] * x[u + 2];
         }
+    }
+
+    /** Gives a body the root of its present inertia; no contact knows the old one. */
+    static void renew(SolverContext tick, int i) {
+        SolverBodies body = tick.body;
+        if (body.axes.isIsotropic(i)) {
+            return;
+        }
+        int o = SolverBodies.offset(i);
+        double x = body.world(i, o + 3, 0);
+        double y = body.world(i, o + 3, 1);
+        double z = body.world(i, o + 3, 2);
+        body.rootOfInertia(tick.bodies, i, body.state[o + SolverBodies.GRAVITY]);
+        body.weigh(i, x, y, z);
+        System.arraycopy(body.state, o, body.mark, (i + 1) * SolverBodies.HALF, 6);
     }
 }

@@ -92,7 +92,7 @@ public final class JointSolve extends PositionTrial {
      */
     public void warm(double scale) {
         s.calm();
-        Arrays.fill(s.blows, 0, POINTS * s.standCount, 0.0);
+        Arrays.fill(s.blows, 0, Assembly.POINTS * s.standCount, 0.0);
         derive();
         double most = GAIN * kinetic();
         for (int k = 0; k < s.joint.length; k++) {
@@ -127,8 +127,7 @@ public final class JointSolve extends PositionTrial {
         s.isFresh = false;
         s.keeps = JointEnergy.keeps(tick, store, s);
         findDrives();
-        double quick = sub.seconds * tension.quickest(tick, store, s);
-        s.parts = Swing.parts(s, quick);
+        s.parts = Tension.parts(s, sub.seconds * tension.quickest(tick, store, s));
     }
 
     /**
@@ -139,7 +138,7 @@ public final class JointSolve extends PositionTrial {
     public void turn(JacobianRefresh renewal) {
         for (int i : s.body) {
             if (!renewal.stirs(i)) {
-                Swing.renew(tick, i);
+                renew(tick, i);
             }
         }
     }

@@ -8,9 +8,6 @@ import dev.cairn.physics.solver.body.SolverBodies;
  * the sub-step, to which it returns if more energy has come than that.
  */
 abstract class JointWork extends ContactCoupling {
-    /** Numbers to a body of {@link Assembly#first}. */
-    static final int FIRST = 12;
-
     /**
      * Energy that impulses may add beside contacts. Those of a turning link turn with it and add
      * {@code (w h)²/4}; more than this is no turn, but sweeps and joints that pull against each
@@ -52,8 +49,9 @@ abstract class JointWork extends ContactCoupling {
         for (int n = 0; n < s.body.length; n++) {
             int i = s.body[n];
             int w = (i + 1) * SolverBodies.HALF;
-            System.arraycopy(tick.body.state, SolverBodies.offset(i), s.first, FIRST * n, 6);
-            System.arraycopy(tick.body.mark, w, s.first, FIRST * n + 6, 6);
+            System.arraycopy(
+                    tick.body.state, SolverBodies.offset(i), s.first, Assembly.FIRST * n, 6);
+            System.arraycopy(tick.body.mark, w, s.first, Assembly.FIRST * n + 6, 6);
         }
         System.arraycopy(s.impulse, 0, s.firstImpulse, 0, s.impulse.length);
     }
@@ -62,8 +60,9 @@ abstract class JointWork extends ContactCoupling {
         for (int n = 0; n < s.body.length; n++) {
             int i = s.body[n];
             int w = (i + 1) * SolverBodies.HALF;
-            System.arraycopy(s.first, FIRST * n, tick.body.state, SolverBodies.offset(i), 6);
-            System.arraycopy(s.first, FIRST * n + 6, tick.body.mark, w, 6);
+            System.arraycopy(
+                    s.first, Assembly.FIRST * n, tick.body.state, SolverBodies.offset(i), 6);
+            System.arraycopy(s.first, Assembly.FIRST * n + 6, tick.body.mark, w, 6);
         }
         System.arraycopy(s.firstImpulse, 0, s.impulse, 0, s.impulse.length);
     }

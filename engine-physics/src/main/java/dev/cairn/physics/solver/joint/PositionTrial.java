@@ -10,9 +10,6 @@ import dev.cairn.physics.solver.body.SolverBodies;
  * and what is done where trials lead nowhere.
  */
 abstract class PositionTrial extends VelocityHalf {
-    /** Numbers to a body of {@link Assembly#kept}. */
-    static final int KEPT = 22;
-
     /** Whether contacts were just solved with the joints, so that {@code J(x) v = 0}. */
     boolean isHeld;
 
@@ -29,7 +26,7 @@ abstract class PositionTrial extends VelocityHalf {
         for (int n = 0; n < s.body.length; n++) {
             int i = s.body[n];
             int o = SolverBodies.offset(i);
-            int at = KEPT * n;
+            int at = Assembly.KEPT * n;
             System.arraycopy(tick.body.state, o, s.kept, at, 6);
             System.arraycopy(tick.body.state, o + SolverBodies.P, s.kept, at + 6, 6);
             int w = (i + 1) * SolverBodies.HALF;
@@ -46,7 +43,7 @@ abstract class PositionTrial extends VelocityHalf {
         for (int n = 0; n < s.body.length; n++) {
             int i = s.body[n];
             int o = SolverBodies.offset(i);
-            int at = KEPT * n;
+            int at = Assembly.KEPT * n;
             System.arraycopy(s.kept, at, tick.body.state, o, 6);
             System.arraycopy(s.kept, at + 6, tick.body.state, o + SolverBodies.P, 6);
             int w = (i + 1) * SolverBodies.HALF;

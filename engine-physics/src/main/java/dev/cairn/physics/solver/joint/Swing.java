@@ -25,18 +25,7 @@ import java.util.Arrays;
  * <p>One to a worker. Does not allocate.
  */
 public final class Swing {
-    /** Numbers to a body of {@link Assembly#carried}: state, mark, warm start, root, turn. */
-    static final int CARRIED = 44;
-
     private static final double OUTER = 0.4144907717943757;
-
-    /** Frequency times step up to which a step is accurate; beyond 2 it would be unstable. */
-    private static final double SLOW = 0.4;
-
-    /** The same of five steps together, whose middle one is the longest. */
-    private static final double SLOW_FIVE = 1.2;
-
-    private static final int MOST = 26;
 
     private final JointEnergy energy = new JointEnergy();
     private final Tension tension = new Tension();
@@ -50,7 +39,7 @@ public final class Swing {
         solve.findDrives();
         s.isFresh = false;
         double quick = sub.seconds * tension.quickest(tick, store, s);
-        int parts = isReversible ? parts(quick, SLOW_FIVE) : parts(s, quick);
+        int parts = isReversible ? Tension.partsOfFive(quick) : Tension.parts(s, quick);
         double h = sub.seconds / parts;
         for (int k = 0; k < sub.count * parts; k++) {
             s.energy = JointEnergy.kinetic(tick, s) + JointEnergy.potential(tick, s);
@@ -67,23 +56,6 @@ public final class Swing {
                 energy.settle(tick, s, false);
             }
         }
-    }
-
-    /** Steps to a sub-step of a taut assembly that touches something. */
-    static int parts(Assembly s, double quick) {
-        return s.isDirect && !s.isRough() ? parts(quick, SLOW) : 1;
-    }
-
-    /**
-     * Steps to a sub-step. More than one only where a taut link swings so fast that it must be; few
-     * numbers, so that a tension that changes a little does not change them.
-     */
-    private static int parts(double quick, double slow) {
-        int parts = 1;
-        while (parts < MOST && quick > slow * parts) {
-            parts += parts / 2 + 1;
-        }
-        return parts;
     }
 
     private static boolean isReversible(BodyStore b, Assembly s) {
@@ -111,7 +83,7 @@ public final class Swing {
         for (int n = 0; n < s.body.length; n++) {
             int i = s.body[n];
             int o = SolverBodies.offset(i);
-            int at = CARRIED * n;
+            int at = Assembly.CARRIED * n;
             System.arraycopy(body.state, o, s.carried, at, SolverBodies.STRIDE);
             System.arraycopy(body.mark, (i + 1) * SolverBodies.HALF, s.carried, at + 16, 6);
             System.arraycopy(body.warm, (i + 1) * SolverBodies.HALF, s.carried, at + 22, 6);
@@ -144,7 +116,7 @@ public final class Swing {
         BodyStore b = tick.bodies;
         int i = s.body[n];
         int o = SolverBodies.offset(i);
-        int at = CARRIED * n;
+        int at = Assembly.CARRIED * n;
         double x = body.world(i, o + 3, 0);
         double y = body.world(i, o + 3, 1);
         double z = body.world(i, o + 3, 2);
@@ -177,7 +149,7 @@ public final class Swing {
     public static void place(SolverContext tick, Assembly s) {
         for (int n = 0; n < s.body.length && s.parts > 1; n++) {
             int i = s.body[n];
-            int at = CARRIED * n;
+            int at = Assembly.CARRIED * n;
             System.arraycopy(
                     s.carried, at, tick.body.state, SolverBodies.offset(i), SolverBodies.STRIDE);
             System.arraycopy(s.carried, at + 16, tick.body.mark, (i + 1) * SolverBodies.HALF, 6);
@@ -196,24 +168,9 @@ public final class Swing {
         solve.start();
         solve.position(h, true);
         for (int i : s.body) {
-            renew(tick, i);
+            JointSolve.renew(tick, i);
         }
         solve.beginVelocity(!s.isDirect, true);
         solve.velocity(h, true);
-    }
-
-    /** Gives a body the root of its present inertia; no contact knows the old one. */
-    static void renew(SolverContext tick, int i) {
-        SolverBodies body = tick.body;
-        if (body.axes.isIsotropic(i)) {
-            return;
-        }
-        int o = SolverBodies.offset(i);
-        double x = body.world(i, o + 3, 0);
-        double y = body.world(i, o + 3, 1);
-        double z = body.world(i, o + 3, 2);
-        body.rootOfInertia(tick.bodies, i, body.state[o + SolverBodies.GRAVITY]);
-        body.weigh(i, x, y, z);
-        System.arraycopy(body.state, o, body.mark, (i + 1) * SolverBodies.HALF, 6);
     }
 }

@@ -19,6 +19,14 @@ final class Tension {
     /** What is left of a frequency after a tick, if forces tell of a smaller one. */
     private static final double FADES = 0.95;
 
+    /** Frequency times step up to which a step is accurate; beyond 2 it would be unstable. */
+    private static final double SLOW = 0.4;
+
+    /** The same of five steps together, whose middle one is the longest. */
+    private static final double SLOW_FIVE = 1.2;
+
+    private static final int MOST = 26;
+
     private final JointMath math = new JointMath();
     private final double[] part = new double[9];
 
@@ -53,6 +61,28 @@ final class Tension {
             worst = Math.max(worst, s.quick[n]);
         }
         return worst;
+    }
+
+    /** Steps to a sub-step of a taut assembly that touches something. */
+    static int parts(Assembly s, double quick) {
+        return s.isDirect && !s.isRough() ? parts(quick, SLOW) : 1;
+    }
+
+    /** The same of one that touches nothing, whose steps are of five. */
+    static int partsOfFive(double quick) {
+        return parts(quick, SLOW_FIVE);
+    }
+
+    /**
+     * Steps to a sub-step. More than one only where a taut link swings so fast that it must be; few
+     * numbers, so that a tension that changes a little does not change them.
+     */
+    private static int parts(double quick, double slow) {
+        int parts = 1;
+        while (parts < MOST && quick > slow * parts) {
+            parts += parts / 2 + 1;
+        }
+        return parts;
     }
 
     private static void add(double[] f, int at, double sign, double[] r, double[] g, int o) {
