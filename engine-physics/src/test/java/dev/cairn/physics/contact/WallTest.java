@@ -1,14 +1,19 @@
-package dev.cairn.physics;
+package dev.cairn.physics.contact;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Material;
+import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.support.Scenes;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;

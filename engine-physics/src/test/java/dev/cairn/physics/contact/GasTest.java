@@ -1,10 +1,16 @@
-package dev.cairn.physics;
+package dev.cairn.physics.contact;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Material;
+import dev.cairn.physics.PhysicsSettings;
+import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.support.Scenes;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
