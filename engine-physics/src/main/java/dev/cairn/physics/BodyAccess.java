@@ -109,13 +109,13 @@ final class BodyAccess {
                 b.orientationY[s],
                 b.orientationZ[s],
                 b.orientationW[s],
-                p.comX() - table.roster.comX[s],
-                p.comY() - table.roster.comY[s],
-                p.comZ() - table.roster.comZ[s],
+                p.comX() - table.registry.comX[s],
+                p.comY() - table.registry.comY[s],
+                p.comZ() - table.registry.comZ[s],
                 rotated);
-        table.roster.comX[s] = p.comX();
-        table.roster.comY[s] = p.comY();
-        table.roster.comZ[s] = p.comZ();
+        table.registry.comX[s] = p.comX();
+        table.registry.comY[s] = p.comY();
+        table.registry.comZ[s] = p.comZ();
         b.move(s, rotated[0], rotated[1], rotated[2]);
         double wx = b.angularVelocityX[s];
         double wy = b.angularVelocityY[s];
@@ -151,9 +151,9 @@ final class BodyAccess {
                 bodies.orientationY[s],
                 bodies.orientationZ[s],
                 bodies.orientationW[s],
-                table.roster.comX[s],
-                table.roster.comY[s],
-                table.roster.comZ[s],
+                table.registry.comX[s],
+                table.registry.comY[s],
+                table.registry.comZ[s],
                 rotated);
         return d.set(
                 bodies.positionX[s] - rotated[0],
@@ -193,19 +193,19 @@ final class BodyAccess {
         wakeIf(linear != bodies.linearDamping[s] || angular != bodies.angularDamping[s], s);
         bodies.linearDamping[s] = linear;
         bodies.angularDamping[s] = angular;
-        restrain(s, bodies.restraint[s]);
+        restrain(s, bodies.motionFlags[s]);
     }
 
     void setSpeedLimit(int s, double metresPerSecond) {
         wakeIf(bodies.speedLimit[s] != Checks.limit("speedLimit", metresPerSecond), s);
         bodies.speedLimit[s] = metresPerSecond;
-        restrain(s, bodies.restraint[s]);
+        restrain(s, bodies.motionFlags[s]);
     }
 
     void setLocks(int s, Lock... locks) {
-        byte before = bodies.restraint[s];
+        byte before = bodies.motionFlags[s];
         restrain(s, Lock.bits(locks));
-        wakeIf(bodies.restraint[s] != before, s);
+        wakeIf(bodies.motionFlags[s] != before, s);
     }
 
     /** Sums up what holds a body back; of {@code locks} the bits of the axes count. */
@@ -217,7 +217,7 @@ final class BodyAccess {
         if (bodies.speedLimit[s] < Double.POSITIVE_INFINITY) {
             bits |= BodyStore.LIMITED;
         }
-        bodies.restraint[s] = (byte) bits;
+        bodies.motionFlags[s] = (byte) bits;
     }
 
     void setVelocity(int s, double vx, double vy, double vz) {
@@ -227,7 +227,7 @@ final class BodyAccess {
         needsMover(s, "velocity");
         if (bodies.kind[s] == BodyStore.KINEMATIC) {
             BodyTable.checkSpeed("velocity", vx, vy, vz, 1);
-            table.roster.motion.forget(s);
+            table.registry.motion.forget(s);
         }
         // Asleep, it is at rest.
         wakeUnlessZero(s, vx, vy, vz);
@@ -243,7 +243,7 @@ final class BodyAccess {
         needsMover(s, "angular velocity");
         if (bodies.kind[s] == BodyStore.KINEMATIC) {
             BodyTable.checkSpeed("angular velocity", wx, wy, wz, bodies.outerRadius[s]);
-            table.roster.motion.forget(s);
+            table.registry.motion.forget(s);
         }
         wakeUnlessZero(s, wx, wy, wz);
         bodies.angularVelocityX[s] = wx;
@@ -276,14 +276,14 @@ final class BodyAccess {
                 qy,
                 qz,
                 qw,
-                table.roster.comX[s],
-                table.roster.comY[s],
-                table.roster.comZ[s],
+                table.registry.comX[s],
+                table.registry.comY[s],
+                table.registry.comZ[s],
                 rotated);
         double px = Checks.between("x", x + rotated[0], -FARTHEST, FARTHEST);
         double py = Checks.between("y", y + rotated[1], -FARTHEST, FARTHEST);
         double pz = Checks.between("z", z + rotated[2], -FARTHEST, FARTHEST);
-        table.roster.motion.aim(s, px, py, pz, qx, qy, qz, qw);
+        table.registry.motion.aim(s, px, py, pz, qx, qy, qz, qw);
     }
 
     private void needsMover(int s, String what) {
@@ -370,7 +370,7 @@ final class BodyAccess {
     private void place(
             int s, double x, double y, double z, double qx, double qy, double qz, double qw) {
         checkPlace(s, x, y, z, qx, qy, qz, qw);
-        int jumps = table.roster.jumps[s] + 1;
+        int jumps = table.registry.jumps[s] + 1;
         table.world().set(bodies.entity[s], new Pose(x, y, z, qx, qy, qz, qw, jumps));
         put(s, x, y, z, qx, qy, qz, qw);
     }
@@ -383,9 +383,9 @@ final class BodyAccess {
                 qy,
                 qz,
                 qw,
-                table.roster.comX[s],
-                table.roster.comY[s],
-                table.roster.comZ[s],
+                table.registry.comX[s],
+                table.registry.comY[s],
+                table.registry.comZ[s],
                 rotated);
         rotated[0] = Checks.between("x", x + rotated[0], -StepLimits.LARGEST, StepLimits.LARGEST);
         rotated[1] = Checks.between("y", y + rotated[1], -StepLimits.LARGEST, StepLimits.LARGEST);
@@ -395,8 +395,8 @@ final class BodyAccess {
     private void put(
             int s, double x, double y, double z, double qx, double qy, double qz, double qw) {
         checkPlace(s, x, y, z, qx, qy, qz, qw);
-        table.roster.jumps[s]++;
-        table.roster.places++;
+        table.registry.jumps[s]++;
+        table.registry.places++;
         wake(s);
         bodies.place(s, rotated[0], rotated[1], rotated[2]);
         bodies.orientationX[s] = qx;
@@ -405,8 +405,8 @@ final class BodyAccess {
         bodies.orientationW[s] = qw;
         table.colliders.compose(s);
         if (isUnmoved(s)) {
-            table.roster.motion.forget(s);
-            table.roster.addUnplaced(s);
+            table.registry.motion.forget(s);
+            table.registry.addUnplaced(s);
         }
     }
 

@@ -49,7 +49,7 @@ final class BodyChanges {
         bodies.kind[s] = BodyTable.kind(type);
         table.collision.settle(s, mass);
         learn(s);
-        table.roster.retyped(s);
+        table.registry.retyped(s);
     }
 
     void setShape(int s, Shape shape) {

@@ -318,7 +318,7 @@ public abstract sealed class BodyState implements Jointed permits BodyRef {
      * @return a new array, in the order of {@link Lock}
      */
     public Lock[] locks() {
-        return Lock.of(table.bodies.restraint[alive()]);
+        return Lock.of(table.bodies.motionFlags[alive()]);
     }
 
     /**

@@ -18,9 +18,9 @@ import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.shape.MassProperties;
+import dev.cairn.physics.state.BodyRegistry;
 import dev.cairn.physics.state.Pushes;
 import dev.cairn.physics.state.RigidBody;
-import dev.cairn.physics.state.Roster;
 import dev.cairn.physics.state.WorldCheck;
 
 import org.jspecify.annotations.Nullable;
@@ -32,7 +32,7 @@ import java.util.function.IntFunction;
 
 /**
  * The bodies of a world as users know them: a reference, a material and a shape to each slot of the
- * {@link Roster}; what is born is checked and filled in here.
+ * {@link BodyRegistry}; what is born is checked and filled in here.
  */
 final class BodyTable implements Stateful {
     /** No entity. */
@@ -43,7 +43,7 @@ final class BodyTable implements Stateful {
     /** Of a kinematic body: room for some ticks until what the step computes with ends. */
     private static final double MOST_SPEED = 1e59;
 
-    final Roster roster;
+    final BodyRegistry registry;
     final BodyStore bodies;
     final ColliderStore colliders;
     final BroadPhase broadPhase;
@@ -78,21 +78,23 @@ final class BodyTable implements Stateful {
     volatile boolean isStepping;
 
     BodyTable(PhysicsSettings settings, ContactStore contacts, EdgeSource[] edges) {
-        roster = new Roster(settings.tuning(), settings.sleeping(), settings.sleepSeconds(), edges);
-        bodies = roster.bodies;
-        colliders = roster.colliders;
-        broadPhase = roster.broadPhase;
-        bounds = roster.bounds;
-        sleepers = roster.sleepers;
+        registry =
+                new BodyRegistry(
+                        settings.tuning(), settings.sleeping(), settings.sleepSeconds(), edges);
+        bodies = registry.bodies;
+        colliders = registry.colliders;
+        broadPhase = registry.broadPhase;
+        bounds = registry.bounds;
+        sleepers = registry.sleepers;
         this.contacts = contacts;
         access = new BodyAccess(this);
-        pushes = new Pushes(roster);
+        pushes = new Pushes(registry);
         collision = new ColliderTable(this);
         changes = new BodyChanges(this);
     }
 
     World world() {
-        return roster.world();
+        return registry.world();
     }
 
     void close() {
@@ -104,7 +106,7 @@ final class BodyTable implements Stateful {
     }
 
     boolean isAlive(int slot, long entity) {
-        return !closed && roster.isAlive(slot, entity);
+        return !closed && registry.isAlive(slot, entity);
     }
 
     // Birth ------------------------------------------------------------------------------------
@@ -141,7 +143,7 @@ final class BodyTable implements Stateful {
             checkSpeed("velocity", body.vx, body.vy, body.vz, 1);
             checkSpeed("angular velocity", body.wx, body.wy, body.wz, outerRadius(parts, mass));
         }
-        int slot = roster.nextSlot();
+        int slot = registry.nextSlot();
         ensureSlots();
         Record[] records = records(body, slot);
         if (given == NONE) {
@@ -161,18 +163,18 @@ final class BodyTable implements Stateful {
             List<Collider> parts,
             MassProperties mass,
             double[] com) {
-        roster.take();
+        registry.take();
         born++;
         BodyRef ref = new BodyRef(this, slot, entity, body.name);
         refs[slot] = ref;
         userData[slot] = body.userData;
         staysAwake[slot] = !body.maySleep;
-        roster.comX[slot] = mass.comX();
-        roster.comY[slot] = mass.comY();
-        roster.comZ[slot] = mass.comZ();
+        registry.comX[slot] = mass.comX();
+        registry.comY[slot] = mass.comY();
+        registry.comZ[slot] = mass.comZ();
         fill(slot, entity, body, mass, com);
         collision.attach(slot, parts, body);
-        roster.born(slot, body.maySleep);
+        registry.born(slot, body.maySleep);
         return ref;
     }
 
@@ -334,7 +336,7 @@ final class BodyTable implements Stateful {
     @Override
     @SuppressWarnings("NullAway") // a slot without a body has no reference
     public void state(StateVisitor s) {
-        roster.state(s);
+        registry.state(s);
         s.section("references", this);
         int slots = bodies.slotCount;
         if (s.isRestoring()) {
@@ -375,7 +377,7 @@ final class BodyTable implements Stateful {
 
     /** Stops a body where it is and fixes it there. */
     void quarantine(int slot) {
-        roster.stop(slot);
+        registry.stop(slot);
         quarantined.add(refs[slot]);
     }
 
@@ -399,7 +401,7 @@ final class BodyTable implements Stateful {
                         broadPhase,
                         sleepers,
                         slot -> refs[slot].toString(),
-                        roster::isUnplaced)
+                        registry::isUnplaced)
                 .run();
     }
 
@@ -414,6 +416,6 @@ final class BodyTable implements Stateful {
         if (bodies.kind[slot] != BodyStore.DYNAMIC) {
             return;
         }
-        roster.sleep(slot, contacts);
+        registry.sleep(slot, contacts);
     }
 }

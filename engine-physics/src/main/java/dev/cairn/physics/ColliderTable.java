@@ -57,9 +57,9 @@ final class ColliderTable implements Stateful {
         this.table = table;
         colliders = table.colliders;
         broadPhase = table.broadPhase;
-        pairFilter = table.roster.pairFilter;
+        pairFilter = table.registry.pairFilter;
         rules = new PairRules(colliders, pairFilter, broadPhase);
-        wholes = new Wholes(table.roster, rules);
+        wholes = new Wholes(table.registry, rules);
         refs = new ColliderRef.All(this);
     }
 
@@ -177,7 +177,7 @@ final class ColliderTable implements Stateful {
     }
 
     private int child(int body, Collider part) {
-        int c = table.roster.takeChild();
+        int c = table.registry.takeChild();
         ensureSlots();
         contacts().beginCompounds();
         pairFilter.begin(); // parts of a body do not meet
@@ -188,7 +188,8 @@ final class ColliderTable implements Stateful {
 
     /** Where a part is, from the body's centre of mass. */
     private double[] local(int body, Collider part) {
-        return part.from(table.roster.comX[body], table.roster.comY[body], table.roster.comZ[body]);
+        return part.from(
+                table.registry.comX[body], table.registry.comY[body], table.registry.comZ[body]);
     }
 
     /** A collider that is new in its slot. */
@@ -240,7 +241,7 @@ final class ColliderTable implements Stateful {
         paint(c, material);
         joinParts(colliders.body[c]);
         colliders.measure(colliders.body[c]);
-        table.roster.changed(colliders.body[c]);
+        table.registry.changed(colliders.body[c]);
         table.changes.wakeAround(colliders.body[c]);
     }
 
@@ -346,7 +347,7 @@ final class ColliderTable implements Stateful {
         specs[collider] = whole;
         ContactMaterials.mixAll(contacts(), collider, colliders);
         colliders.measure(body);
-        table.roster.changed(body);
+        table.registry.changed(body);
         return true;
     }
 
@@ -413,7 +414,7 @@ final class ColliderTable implements Stateful {
 
     private void takeOut(int body, int collider) {
         colliders.remove(body, collider);
-        table.roster.leaveChild(collider);
+        table.registry.leaveChild(collider);
         refs.end(collider);
     }
 
@@ -431,7 +432,7 @@ final class ColliderTable implements Stateful {
         }
         joinParts(body);
         colliders.measure(body);
-        table.roster.changed(body);
+        table.registry.changed(body);
     }
 
     /** Mass, centre and inertia of a body as it would be if it moved, or did not. */
@@ -453,7 +454,7 @@ final class ColliderTable implements Stateful {
         if (wanted.hasCentre()) {
             split(body);
         }
-        if (rules.canMove(body) || !table.roster.isCentre(body, p)) {
+        if (rules.canMove(body) || !table.registry.isCentre(body, p)) {
             settle(body, p);
         } else {
             table.access.setMass(body, p); // concerns nobody

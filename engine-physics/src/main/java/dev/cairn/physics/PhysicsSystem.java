@@ -118,8 +118,8 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         seams = new SeamStage(table.colliders, contacts, table.bounds);
         patches = new PatchStage(table.colliders, contacts);
         solver = new ContactSolver(settings.tuning(), kinds);
-        forces = new ForceReader(table.roster);
-        publisher = new Publisher(table.roster);
+        forces = new ForceReader(table.registry);
+        publisher = new Publisher(table.registry);
         view = new ContactView(table, contacts, events, bodyEvents, sensors);
         table.contactsOf = view::of;
         sleepView = new SleepView(table);
@@ -153,19 +153,19 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         events.clear();
         sensors.clear();
         table.access.takePoses();
-        readRoster(tick);
+        readRegistry(tick);
         forces.run(tick);
-        table.roster.refreshLists();
+        table.registry.refreshLists();
         profile.end(StepStage.ROSTER);
-        assert StageCheck.awake(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
-        table.roster.beginMotion(tick.stepSeconds(), gravity());
+        assert StageCheck.awake(table.bodies, table.registry.dynamic, table.registry.dynamicCount);
+        table.registry.beginMotion(tick.stepSeconds(), gravity());
         moveBounds(tick);
         assert StageCheck.boxes(
                 table.bodies,
                 table.colliders,
                 table.broadPhase,
-                table.roster.dynamic,
-                table.roster.dynamicCount);
+                table.registry.dynamic,
+                table.registry.dynamicCount);
         profile.end(StepStage.BOUNDS);
         table.broadPhase.findPairs(tick.jobs());
         assert StageCheck.newPairs(table.broadPhase);
@@ -175,7 +175,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                 contacts, sensors.count(), table.colliders, table.bodies, table.broadPhase);
         table.broadPhase.endTick();
         wakes.refresh(table.bounds, table.broadPhase);
-        table.roster.freeGone();
+        table.registry.freeGone();
         profile.end(StepStage.ROWS);
         manifolds.run(contacts, tick.stepSeconds(), tick.jobs());
         profile.end(StepStage.POINTS);
@@ -193,8 +193,8 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         events.approach(contacts, table.bodies, tick.jobs());
         wholes.choose(hooks.get() != null);
         belts.run(tick.jobs());
-        table.roster.refreshLists();
-        if (table.roster.dynamicCount > 0) {
+        table.registry.refreshLists();
+        if (table.registry.dynamicCount > 0) {
             sweeps.strike(
                     table.broadPhase,
                     settings.tuning().get(Tunable.RESTITUTION_THRESHOLD),
@@ -213,16 +213,16 @@ final class PhysicsSystem implements WorldSystem, Stateful {
             seams.part(tick.jobs());
             wholes.part(tick.jobs());
             sweeps.finish(
-                    table.roster.dynamic,
-                    table.roster.dynamicCount,
+                    table.registry.dynamic,
+                    table.registry.dynamicCount,
                     table.broadPhase,
                     hooks.get() != null,
                     tick.jobs());
         } else {
             wholes.see();
         }
-        table.roster.motion.end(
-                table.roster.kinematic, table.roster.kinematicCount, tick.stepSeconds());
+        table.registry.motion.end(
+                table.registry.kinematic, table.registry.kinematicCount, tick.stepSeconds());
         profile.end(StepStage.SOLVE);
         if (jointList != null) {
             jointList.afterStep();
@@ -231,7 +231,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         publishPoses(tick);
         compose.run(tick.jobs());
         sensors.run(tick.jobs());
-        assert StageCheck.poses(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
+        assert StageCheck.poses(table.bodies, table.registry.dynamic, table.registry.dynamicCount);
         profile.end(StepStage.PUBLISH);
         events.update(contacts, rows, tick.jobs());
         bodyEvents.update(events, contacts);
@@ -292,19 +292,19 @@ final class PhysicsSystem implements WorldSystem, Stateful {
     }
 
     /** Bodies whose entity is gone leave. */
-    private void readRoster(Tick tick) {
+    private void readRegistry(Tick tick) {
         if (index.isStale(tick)) {
             for (int c = 0; c < tick.chunkCount(); c++) {
                 Chunk chunk = tick.chunk(c);
                 int[] slots = chunk.in(SLOT);
                 int size = chunk.size();
                 for (int row = 0; row < size; row++) {
-                    table.roster.see(slots[row], chunk.entity(row));
+                    table.registry.see(slots[row], chunk.entity(row));
                 }
             }
-            table.roster.sweep();
+            table.registry.sweep();
         }
-        table.roster.beginTick();
+        table.registry.beginTick();
     }
 
     /** Islands that have come to rest sleep from the next tick on. */
@@ -312,13 +312,13 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         Sleepers sleepers = table.sleepers;
         long changes = sleepers.changes();
         sleepers.look(
-                table.roster.dynamic,
-                table.roster.dynamicCount,
+                table.registry.dynamic,
+                table.registry.dynamicCount,
                 gravity(),
                 tick.stepSeconds(),
                 tick.jobs());
         if (sleepers.changes() != changes) {
-            table.roster.restBounds();
+            table.registry.restBounds();
             wakes.lean();
         }
     }
@@ -331,8 +331,8 @@ final class PhysicsSystem implements WorldSystem, Stateful {
     private void moveBounds(Tick tick) {
         table.bounds.run(
                 table.broadPhase,
-                table.roster.dynamic,
-                table.roster.dynamicCount,
+                table.registry.dynamic,
+                table.registry.dynamicCount,
                 gravityX,
                 gravityY,
                 gravityZ,
@@ -361,7 +361,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         for (int slot = 0; slot < table.bodies.slotCount; slot++) {
             if (publisher.takeFailure(slot)) {
                 quarantine(slot);
-                table.roster.addUnplaced(slot);
+                table.registry.addUnplaced(slot);
             }
         }
     }

@@ -57,7 +57,7 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
     PhysicsWorld(PhysicsSystem physics, World ecs, EcsSystem... systems) {
         super(physics, ecs);
         this.systems = systems;
-        physics.table.roster.bind(ecs);
+        physics.table.registry.bind(ecs);
         physics.profile.watch(ecs.profile());
         ecs.watch(Pose.COMPONENT);
         newcomers = ecs.query(NewBody.COMPONENT);
@@ -400,7 +400,7 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
     public void setPaused(boolean paused) {
         requireOpen("setPaused");
         if (!paused && isPaused()) {
-            physics.table.roster.clearAllForces();
+            physics.table.registry.clearAllForces();
         }
         ecs.schedule().setEnabled(PhysicsSystem.NAME, !paused);
     }

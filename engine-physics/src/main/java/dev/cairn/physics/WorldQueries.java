@@ -12,7 +12,7 @@ import dev.cairn.physics.query.Motion;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
 import dev.cairn.physics.query.VectorCasts;
-import dev.cairn.physics.state.Roster;
+import dev.cairn.physics.state.BodyRegistry;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -432,8 +432,8 @@ public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met
 
     private void begin() {
         world.requireBetweenSteps("a query");
-        Roster roster = table.roster;
-        candidates.begin(roster.places, roster.unplaced, roster.unplacedCount);
+        BodyRegistry registry = table.registry;
+        candidates.begin(registry.places, registry.unplaced, registry.unplacedCount);
     }
 
     private boolean isWanted(int collider) {

@@ -65,7 +65,7 @@ public abstract sealed class WorldReadings permits PhysicsWorld {
         requireBetweenSteps("crushed");
         Crush crush = new Crush(physics.table.bodies, physics.contacts);
         List<BodyRef> found = new ArrayList<>();
-        boolean any = physics.table.roster.kinematicCount > 0;
+        boolean any = physics.table.registry.kinematicCount > 0;
         for (int row = 0; any && row < physics.contacts.count; row++) {
             int slot = crush.crushed(row);
             if (slot >= 0 && !found.contains(physics.table.refs[slot])) {

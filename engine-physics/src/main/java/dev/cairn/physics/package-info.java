@@ -7,7 +7,7 @@
  * <pre>
  *  PhysicsWorld ── World (ECS) ── PhysicsSystem, one tick:
  *
- *    roster   entities that are gone leave the working arrays
+ *    registry   entities that are gone leave the working arrays
  *    bounds   fat boxes that a body has left are moved in the tree        (dev.cairn.physics.broadphase)
  *    pairs    moved boxes ask both trees; new pairs join, old ones leave  (dev.cairn.physics.contact)
  *    collide  manifolds of all pairs, impulses carried over by feature id (dev.cairn.physics.narrowphase)

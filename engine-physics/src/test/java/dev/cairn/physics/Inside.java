@@ -26,7 +26,7 @@ public final class Inside {
     }
 
     public static boolean filtersPairs(PhysicsWorld world) {
-        return world.physics.table.roster.pairFilter.isActive();
+        return world.physics.table.registry.pairFilter.isActive();
     }
 
     public static int slot(BodyState body) {

@@ -27,12 +27,12 @@ public final class Candidates {
     private final BroadPhase known;
     private final ColliderStore colliders;
     private final IntPredicate wanted;
-    private final RayWalk rayWalk = new RayWalk();
-    private final BoxWalk boxWalk = new BoxWalk();
+    private final RayTraversal rayTraversal = new RayTraversal();
+    private final BoxTraversal boxTraversal = new BoxTraversal();
     private final Placement at = new Placement();
     private final double[] from = new double[6], tight = new double[6];
     private double dx, dy, dz;
-    private TreeWalk walk = boxWalk;
+    private TreeTraversal walk = boxTraversal;
 
     /** Colliders that the trees do not know where they are: new, moved by the user, or hit. */
     private int[] astray = new int[16];
@@ -71,7 +71,7 @@ public final class Candidates {
         dx = fx / length;
         dy = fy / length;
         dz = fz / length;
-        walk = rayWalk;
+        walk = rayTraversal;
         source = 0;
         start();
     }
@@ -79,7 +79,7 @@ public final class Candidates {
     /** Colliders by their distance from a box. */
     public void near(double[] box) {
         System.arraycopy(box, 0, from, 0, 6);
-        walk = boxWalk;
+        walk = boxTraversal;
         source = 0;
         start();
     }
@@ -90,10 +90,10 @@ public final class Candidates {
             return;
         }
         AabbTree tree = source == 0 ? known.dynamicTree() : known.staticTree();
-        if (walk == rayWalk) {
-            rayWalk.start(tree, from, dx, dy, dz);
+        if (walk == rayTraversal) {
+            rayTraversal.start(tree, from, dx, dy, dz);
         } else {
-            boxWalk.start(tree, from);
+            boxTraversal.start(tree, from);
         }
     }
 

@@ -5,7 +5,7 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.AabbTree;
 import dev.cairn.physics.broadphase.BroadPhase;
-import dev.cairn.physics.broadphase.RayWalk;
+import dev.cairn.physics.broadphase.RayTraversal;
 import dev.cairn.physics.contact.impact.ImpactStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -63,7 +63,7 @@ final class CentreGuard {
     private final ContactStore contacts;
     private final BoundsStage bounds;
     private final EdgeSource[] edges;
-    private final RayWalk walk = new RayWalk();
+    private final RayTraversal walk = new RayTraversal();
     private final ShapeQueries queries = new ShapeQueries();
     private final Placement surface = new Placement();
     private final Hit hit = new Hit();

@@ -168,7 +168,7 @@ public final class SweepStage {
     private void bindOthers(int slots) {
         BodyStore s = colliders.bodies;
         for (int i = 0; i < slots; i++) {
-            if (s.restraint[i] != 0) {
+            if (s.motionFlags[i] != 0) {
                 bound[i] = TIED;
             }
         }

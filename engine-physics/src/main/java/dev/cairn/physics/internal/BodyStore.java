@@ -149,12 +149,12 @@ public final class BodyStore extends Poses implements Stateful {
      * {@link #DAMPED}, {@link #LIMITED}, and the world axes along which (bits 0 to 2 for x, y, z)
      * and about which (bits 3 to 5) the body may not move; 0 for a body without any of these.
      */
-    public byte[] restraint = {};
+    public byte[] motionFlags = {};
 
-    /** Bit of {@link #restraint}: one of the rates of damping is not 0. */
+    /** Bit of {@link #motionFlags}: one of the rates of damping is not 0. */
     public static final int DAMPED = 64;
 
-    /** Bit of {@link #restraint}: the speed is limited. */
+    /** Bit of {@link #motionFlags}: the speed is limited. */
     public static final int LIMITED = -128;
 
     /** Rates at which velocity and angular velocity decay, 1/s. */
@@ -235,7 +235,7 @@ public final class BodyStore extends Poses implements Stateful {
         lastVelocity = c.column("lastVelocity", lastVelocity, 6);
         pressed = c.column("pressed", pressed);
         pressing = c.column("pressing", pressing);
-        restraint = c.column("restraint", restraint);
+        motionFlags = c.column("motionFlags", motionFlags);
         linearDamping = c.column("linearDamping", linearDamping);
         angularDamping = c.column("angularDamping", angularDamping);
         speedLimit = c.column("speedLimit", speedLimit);

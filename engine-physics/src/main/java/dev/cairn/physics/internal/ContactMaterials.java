@@ -39,12 +39,12 @@ public final class ContactMaterials {
      */
     public static void joinLike(ContactStore c, int row, int like, ColliderStore colliders) {
         join(c, row, colliders, c.colliderA[like], c.colliderB[like]);
-        rubLike(c, row, like);
+        frictionOf(c, row, like);
         c.setNormal(row, c.normalX(like), c.normalY(like), c.normalZ(like));
     }
 
     /** Gives a row the friction, the restitution and the belt of another one. */
-    public static void rubLike(ContactStore c, int row, int like) {
+    public static void frictionOf(ContactStore c, int row, int like) {
         c.setFriction(row, c.friction(like));
         c.restitution[row] = c.restitution[like];
         if (c.rolls) {
@@ -56,7 +56,7 @@ public final class ContactMaterials {
     }
 
     /**
-     * Whether two contacts rub and bounce alike.
+     * Whether two contacts have the same friction and bounce.
      *
      * @return whether one row may stand for both
      */

@@ -50,7 +50,7 @@ public final class Sleepers {
     private int freshCount;
     private int asleepCount;
     private boolean rowsStale;
-    private boolean rostersStale;
+    private boolean slotsStale;
     private long changes;
     private int ticksToLook;
 
@@ -107,7 +107,7 @@ public final class Sleepers {
         changes += s.isRestoring() ? 1 : 0;
         asleepCount = s.value("asleepCount", asleepCount);
         rowsStale = s.value("rowsStale", rowsStale);
-        rostersStale = s.value("rostersStale", rostersStale);
+        slotsStale = s.value("slotsStale", slotsStale);
         ticksToLook = s.value("ticksToLook", ticksToLook);
         freshCount = s.value("freshCount", freshCount);
         fresh = s.array("fresh", fresh, freshCount);
@@ -366,7 +366,7 @@ public final class Sleepers {
     private void note(int s) {
         changes++;
         rowsStale = true;
-        rostersStale = true;
+        slotsStale = true;
         told.note(s);
     }
 
@@ -418,8 +418,8 @@ public final class Sleepers {
      * @return true after any change
      */
     public boolean takeRostersStale() {
-        boolean was = rostersStale;
-        rostersStale = false;
+        boolean was = slotsStale;
+        slotsStale = false;
         return was;
     }
 

@@ -176,13 +176,13 @@ final class IslandEnergy {
         int g = MotionRecord.STRIDE * i + MotionRecord.FREE;
         double mass = 1 / v[o + MASS];
         double now = twice(v, o + V, mass);
-        double free = twice(s.glide, g, mass);
+        double free = twice(s.motion, g, mass);
         sums[at + FREE] += free;
         sums[at + NOW] += now;
         sums[at + GAINED] += now > free ? now : 0;
         sums[at + TOTAL_MASS] += mass;
         for (int c = 0; c < 3; c++) {
-            double push = mass * (v[o + V + c] - s.glide[g + c]);
+            double push = mass * (v[o + V + c] - s.motion[g + c]);
             sums[at + MOMENTUM + c] += mass * v[o + V + c];
             sums[at + PUSH + c] += push;
             sums[at + SIZE] += NONE * Math.abs(push) + NOISE * mass * Math.abs(v[o + V + c]);
@@ -208,7 +208,7 @@ final class IslandEnergy {
         if (outside > sums[at + SIZE]) {
             double mass = 1 / v[o + MASS];
             int g = MotionRecord.STRIDE * i + MotionRecord.FREE;
-            if (twice(v, o + V, mass) > twice(s.glide, g, mass)) {
+            if (twice(v, o + V, mass) > twice(s.motion, g, mass)) {
                 double k = Math.sqrt(Math.max(0, 1 - excess / sums[at + GAINED]));
                 scale(v, o + V, 0, 0, 0, k);
             }
@@ -222,7 +222,7 @@ final class IslandEnergy {
             double k = own > 0 ? Math.sqrt(Math.max(0, 1 - excess / own)) : 1;
             scale(v, o + V, x, y, z, k);
         }
-        if (tick.bodies.restraint[i] != 0) {
+        if (tick.bodies.motionFlags[i] != 0) {
             AxisLocks.lock(tick.bodies, v, o);
         }
     }

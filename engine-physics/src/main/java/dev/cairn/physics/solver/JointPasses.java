@@ -18,22 +18,22 @@ final class JointPasses {
     private final SolverContext tick;
     private final ConstraintRows rows;
     private final Assemblies assemblies;
-    private final JacobianRefresh renewal;
+    private final JacobianRefresh refresh;
 
     /**
      * Passes beside the rows of one precision.
      *
-     * @param renewal knows which bodies it gives the root of their inertia
+     * @param refresh knows which bodies it gives the root of their inertia
      */
     JointPasses(
             SolverContext tick,
             ConstraintRows rows,
             Assemblies assemblies,
-            JacobianRefresh renewal) {
+            JacobianRefresh refresh) {
         this.tick = tick;
         this.rows = rows;
         this.assemblies = assemblies;
-        this.renewal = renewal;
+        this.refresh = refresh;
     }
 
     /**
@@ -82,7 +82,7 @@ final class JointPasses {
     void turn(SubStep sub, int from, int to, Workbench bench) {
         for (int a = from; a < to; a++) {
             open(sub, a, bench);
-            bench.joints.turn(renewal);
+            bench.joints.turn(refresh);
             boolean counts = !assemblies.at(a).isTaut();
             bench.joints.beginVelocity(counts, counts);
             show(assemblies.at(a));

@@ -41,7 +41,7 @@ final class Passes {
     final SolverContext tick;
     final ConstraintRows rows;
     private final SolverBodies body;
-    private final JacobianRefresh renewal = new JacobianRefresh();
+    private final JacobianRefresh refresh = new JacobianRefresh();
 
     /** What is done row by row. */
     private final ScalarPasses one;
@@ -80,15 +80,15 @@ final class Passes {
         riders = supports.riders;
         direct = supports.direct;
         one = rows.isSingle ? new SingleScalarSweep() : new ScalarSweep();
-        joints = new JointPasses(tick, rows, assemblies, renewal);
+        joints = new JointPasses(tick, rows, assemblies, refresh);
         starts = rows.isSingle ? new SingleStartSweep() : new StartSweep();
     }
 
     void ensureCapacity(int slots) {
-        renewal.ensureCapacity(slots);
-        renewal.ensurePlaces(rows);
+        refresh.ensureCapacity(slots);
+        refresh.ensurePlaces(rows);
         for (int k = 0; k < sides.count(); k++) {
-            renewal.keep(sides.slot(k));
+            refresh.keep(sides.slot(k));
         }
         rows.rolling.begin(tick.contacts.rolls, rows.settleMark.length);
         rows.drags.begin(tick.contacts.belts, rows.settleMark.length);
@@ -98,11 +98,11 @@ final class Passes {
     void load(int i, double weight) {
         BodyStore b = tick.bodies;
         boolean isBall = body.axes.isIsotropic(i) && b.outerRadius[i] == b.innerRadius[i];
-        renewal.look(b, i, weight, tick.step, isBall);
+        refresh.look(b, i, weight, tick.step, isBall);
         if (!isBall && assemblies.binds(i)) {
-            renewal.turnAlways(b, i);
+            refresh.turnAlways(b, i);
         }
-        body.glide[MotionRecord.STRIDE * i + MotionRecord.STRUCK] = 0;
+        body.motion[MotionRecord.STRIDE * i + MotionRecord.STRUCK] = 0;
         body.loadBound(b, i, tick.loaded && !riders.has(i) ? b.inertiaScale[i] : 1);
         if (rows.isSingle) {
             body.round(i);
@@ -143,7 +143,7 @@ final class Passes {
 
     /** Finds the rows whose levers are renewed in each sub-step; whether there is one. */
     boolean findRenewed(int from, int to) {
-        return renewal.find(rows, tick.contacts, tick.bodies, tick.weight(), from, to);
+        return refresh.find(rows, tick.contacts, tick.bodies, tick.weight(), from, to);
     }
 
     /**
@@ -151,7 +151,7 @@ final class Passes {
      */
     boolean findRenewed(int head, int tail, int from, int to) {
         double weight = tick.weight();
-        return !renewal.isCalm(tick.bodies, tick.order, head, tail, weight, from, to)
+        return !refresh.isCalm(tick.bodies, tick.order, head, tail, weight, from, to)
                 && findRenewed(from, to);
     }
 
@@ -169,7 +169,7 @@ final class Passes {
                 body.addWarm(i);
             }
             if (body.guide[i] >= 0) {
-                bench.single.begin(tick, rows, sub, renewal, gain, i);
+                bench.single.begin(tick, rows, sub, refresh, gain, i);
             }
             Motion.kick(tick.bodies, body, i, g[0], g[1], g[2], sub.seconds);
             if (rows.isSingle) {
@@ -196,7 +196,7 @@ final class Passes {
     void settle(SubStep sub, int from, int to, Workbench bench) {
         if (start.found) {
             starts.start(rows, body, tick.contacts, sub, 0, start, from, to, bench.scratch);
-            renewal.know(rows, tick.contacts, from, to);
+            refresh.know(rows, tick.contacts, from, to);
         }
         one.settle(
                 rows,
@@ -211,7 +211,7 @@ final class Passes {
     /** Puts what rides on what speeds up in balance with the load of a sub-step. */
     void ride(SubStep sub, int index, int from, int to, Workbench bench) {
         starts.start(rows, body, tick.contacts, sub, index, riders, from, to, bench.scratch);
-        renewal.know(rows, tick.contacts, from, to);
+        refresh.know(rows, tick.contacts, from, to);
     }
 
     void bias(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
@@ -245,7 +245,7 @@ final class Passes {
     /** Keeps the cores of what moves far out of what does not move; rows of doubles. */
     void guard(SubStep sub, int from, int to) {
         if (!rows.isSingle) {
-            renewal.guard(rows, body, tick.bodies, sub, from, to);
+            refresh.guard(rows, body, tick.bodies, sub, from, to);
         }
     }
 
@@ -272,7 +272,7 @@ final class Passes {
     /** What the bias pass did is part of the warm start, before levers change. */
     void keep(int from, int to) {
         for (int k = from; k < to; k++) {
-            if (renewal.stirs(tick.order[k])) {
+            if (refresh.stirs(tick.order[k])) {
                 Motion.keep(tick.bodies, body, tick.order[k]);
             }
         }
@@ -282,13 +282,13 @@ final class Passes {
         if (rows.drags.isUsed) {
             rows.drags.show(rows, from, to);
         }
-        renewal.unload(rows, body.warm, from, to, bench.renew);
+        refresh.unload(rows, body.warm, from, to, bench.renew);
     }
 
     void renewBodies(int from, int to) {
         for (int k = from; k < to; k++) {
-            if (renewal.stirs(tick.order[k])) {
-                renewal.body(body, tick.bodies, tick.order[k]);
+            if (refresh.stirs(tick.order[k])) {
+                refresh.body(body, tick.bodies, tick.order[k]);
                 round(tick.order[k]);
             }
         }
@@ -300,7 +300,7 @@ final class Passes {
      * @param index of the sub-step; the first one scales what the contacts know
      */
     void renewRows(SubStep sub, int index, int from, int to, Workbench bench) {
-        renewal.rows(rows, body, tick.contacts, sub, index, from, to, bench.renew);
+        refresh.rows(rows, body, tick.contacts, sub, index, from, to, bench.renew);
         if (rows.drags.isUsed) {
             rows.drags.hide(rows, from, to);
         }
@@ -336,7 +336,7 @@ final class Passes {
         int island = islands.open(batch, index);
         boolean renewed = false;
         for (int k = islands.firstBody[island]; k < islands.firstBody[island + 1]; k++) {
-            renewed |= renewal.stirs(islands.body[k]);
+            renewed |= refresh.stirs(islands.body[k]);
         }
         bench.direct.run(
                 rows,
@@ -399,7 +399,7 @@ final class Passes {
                 tick,
                 rows,
                 bouncers.row,
-                bouncers.meetings,
+                bouncers.impactLimits,
                 bouncers.from(batch),
                 bouncers.to(batch),
                 sub.seconds)) {
@@ -418,14 +418,14 @@ final class Passes {
             if (body.guide[i] < 0) {
                 Motion.keep(tick.bodies, body, i);
             } else {
-                bench.single.end(tick, rows, sub, renewal, gain, i, bench.scratch);
+                bench.single.end(tick, rows, sub, refresh, gain, i, bench.scratch);
             }
         }
     }
 
     /** Whether a body turns in this tick, or may. */
     boolean turns(int slot) {
-        return renewal.turns(slot);
+        return refresh.turns(slot);
     }
 
     void storeBodies(int from, int to) {
@@ -455,7 +455,7 @@ final class Passes {
             }
         }
         if (renewed) {
-            renewal.restore(rows, tick.contacts, from, to);
+            refresh.restore(rows, tick.contacts, from, to);
         }
         if (tick.settings.count(Tunable.UNLOAD_SWEEPS) > 0) {
             Unloading.press(tick.bodies, tick.contacts, rows, 1 / tick.subStep, from, to);

@@ -24,7 +24,7 @@ public final class ForceReader implements Stateful {
     private static final DoubleField[] FORCE = fields(Force.COMPONENT);
     private static final DoubleField[] TORQUE = fields(Torque.COMPONENT);
 
-    private final Roster roster;
+    private final BodyRegistry registry;
 
     /** By slot: force and torque of the last tick. */
     private double[] last = {};
@@ -32,10 +32,10 @@ public final class ForceReader implements Stateful {
     /**
      * A reader.
      *
-     * @param roster whose bodies these are
+     * @param registry whose bodies these are
      */
-    public ForceReader(Roster roster) {
-        this.roster = roster;
+    public ForceReader(BodyRegistry registry) {
+        this.registry = registry;
     }
 
     private static DoubleField[] fields(Component<?> component) {
@@ -47,7 +47,7 @@ public final class ForceReader implements Stateful {
     @Override
     public void state(StateVisitor s) {
         s.section("forces", this);
-        int count = Math.min(last.length, 6 * roster.bodies.slotCount);
+        int count = Math.min(last.length, 6 * registry.bodies.slotCount);
         last = s.array("last", last, s.value("count", count));
     }
 
@@ -55,7 +55,7 @@ public final class ForceReader implements Stateful {
     public void run(Tick tick) {
         for (int c = 0; c < tick.chunkCount(); c++) {
             Chunk chunk = tick.chunk(c);
-            BodyStore b = roster.bodies;
+            BodyStore b = registry.bodies;
             if (chunk.has(Force.COMPONENT)) {
                 add(chunk, FORCE, 0, b.forceX, b.forceY, b.forceZ);
             }
@@ -79,12 +79,12 @@ public final class ForceReader implements Stateful {
             int s = slots[row];
             int k = 6 * s + at;
             if (fx[row] != last[k] || fy[row] != last[k + 1] || fz[row] != last[k + 2]) {
-                roster.sleepers.wake(s);
+                registry.sleepers.wake(s);
                 last[k] = fx[row];
                 last[k + 1] = fy[row];
                 last[k + 2] = fz[row];
             }
-            if (roster.bodies.kind[s] == BodyStore.DYNAMIC) {
+            if (registry.bodies.kind[s] == BodyStore.DYNAMIC) {
                 x[s] += fx[row];
                 y[s] += fy[row];
                 z[s] += fz[row];

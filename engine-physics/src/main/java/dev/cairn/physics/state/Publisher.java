@@ -36,7 +36,7 @@ public final class Publisher {
     private static final DoubleField WY = Velocity.COMPONENT.doubleField("wy");
     private static final DoubleField WZ = Velocity.COMPONENT.doubleField("wz");
 
-    private final Roster roster;
+    private final BodyRegistry registry;
     private final BlockJob job = this::block;
     private @Nullable Tick tick;
     private int[] failuresInChunk = {};
@@ -44,12 +44,12 @@ public final class Publisher {
     private int failures;
 
     /** Chunks in which everybody sleeps and is published: nothing is written, nothing looked at. */
-    private boolean[] quietChunk = {};
+    private boolean[] unchangedChunk = {};
 
     private boolean[] settledInChunk = {};
-    private int quietChunks;
-    private long quietChanges = -1;
-    private long quietRoster = -1;
+    private int unchangedChunks;
+    private long knownChanges = -1;
+    private long knownRevision = -1;
     private boolean known;
     private boolean wasKnown;
     private double[][] scratch = {};
@@ -57,10 +57,10 @@ public final class Publisher {
     /**
      * A publisher.
      *
-     * @param roster who is there
+     * @param registry who is there
      */
-    public Publisher(Roster roster) {
-        this.roster = roster;
+    public Publisher(BodyRegistry registry) {
+        this.registry = registry;
     }
 
     /** Writes the rows of the tick. */
@@ -70,8 +70,8 @@ public final class Publisher {
         if (failuresInChunk.length < chunks) {
             failuresInChunk = new int[chunks + (chunks >> 1)];
         }
-        if (failed.length < roster.bodies.kind.length) {
-            failed = Arrays.copyOf(failed, roster.bodies.kind.length);
+        if (failed.length < registry.bodies.kind.length) {
+            failed = Arrays.copyOf(failed, registry.bodies.kind.length);
         }
         remember(chunks);
         int workers = current.jobs().workers();
@@ -87,18 +87,21 @@ public final class Publisher {
         }
     }
 
-    /** Which chunks are quiet is known as long as nobody came, went, woke or fell asleep. */
+    /** Which chunks are unchanged is known as long as nobody came, went, woke or fell asleep. */
     private void remember(int chunks) {
-        if (quietChunk.length < chunks) {
-            quietChunk = new boolean[failuresInChunk.length];
+        if (unchangedChunk.length < chunks) {
+            unchangedChunk = new boolean[failuresInChunk.length];
             settledInChunk = new boolean[failuresInChunk.length];
             known = false;
         }
-        long changes = roster.sleepers.changes();
-        known &= changes == quietChanges && roster.rosters == quietRoster && chunks == quietChunks;
-        quietChanges = changes;
-        quietRoster = roster.rosters;
-        quietChunks = chunks;
+        long changes = registry.sleepers.changes();
+        known &=
+                changes == knownChanges
+                        && registry.revision == knownRevision
+                        && chunks == unchangedChunks;
+        knownChanges = changes;
+        knownRevision = registry.revision;
+        unchangedChunks = chunks;
         wasKnown = known;
         known = true;
     }
@@ -123,27 +126,27 @@ public final class Publisher {
         Chunk chunk = current.chunk(block);
         failuresInChunk[block] = 0;
         settledInChunk[block] = false;
-        if (roster.sleepers.asleepCount() > 0) {
+        if (registry.sleepers.asleepCount() > 0) {
             if (!wasKnown) {
-                quietChunk[block] = isQuiet(chunk);
+                unchangedChunk[block] = isUnchanged(chunk);
             }
-            if (quietChunk[block]) {
+            if (unchangedChunk[block]) {
                 return;
             }
             settledInChunk[block] = settle(chunk);
         } else {
-            quietChunk[block] = false;
+            unchangedChunk[block] = false;
         }
         failuresInChunk[block] = putBack(chunk);
         poses(chunk, scratch[worker]);
         velocities(chunk);
     }
 
-    private boolean isQuiet(Chunk chunk) {
+    private boolean isUnchanged(Chunk chunk) {
         int[] slots = chunk.in(SLOT);
         int size = chunk.size();
         for (int row = 0; row < size; row++) {
-            if (!roster.sleepers.settled(slots[row])) {
+            if (!registry.sleepers.settled(slots[row])) {
                 return false;
             }
         }
@@ -156,7 +159,7 @@ public final class Publisher {
         int size = chunk.size();
         boolean any = false;
         for (int row = 0; row < size; row++) {
-            any |= roster.sleepers.settle(slots[row]);
+            any |= registry.sleepers.settle(slots[row]);
         }
         return any;
     }
@@ -168,7 +171,7 @@ public final class Publisher {
         int count = 0;
         for (int row = 0; row < size; row++) {
             int s = slots[row];
-            if (!isValid(roster.bodies, s)) {
+            if (!isValid(registry.bodies, s)) {
                 restore(chunk, row, s);
                 failed[s] = true;
                 count++;
@@ -195,7 +198,7 @@ public final class Publisher {
     }
 
     private void restore(Chunk chunk, int row, int s) {
-        BodyStore b = roster.bodies;
+        BodyStore b = registry.bodies;
         b.orientationX[s] = chunk.in(QX)[row];
         b.orientationY[s] = chunk.in(QY)[row];
         b.orientationZ[s] = chunk.in(QZ)[row];
@@ -206,9 +209,9 @@ public final class Publisher {
                 b.orientationY[s],
                 b.orientationZ[s],
                 b.orientationW[s],
-                roster.comX[s],
-                roster.comY[s],
-                roster.comZ[s],
+                registry.comX[s],
+                registry.comY[s],
+                registry.comZ[s],
                 com);
         b.place(s, chunk.in(X)[row] + com[0], chunk.in(Y)[row] + com[1], chunk.in(Z)[row] + com[2]);
         b.velocityX[s] = 0;
@@ -220,7 +223,7 @@ public final class Publisher {
     }
 
     private void poses(Chunk chunk, double[] com) {
-        BodyStore b = roster.bodies;
+        BodyStore b = registry.bodies;
         int[] slots = chunk.in(SLOT);
         double[] x = chunk.out(X);
         double[] y = chunk.out(Y);
@@ -237,7 +240,8 @@ public final class Publisher {
             double oy = b.orientationY[s];
             double oz = b.orientationZ[s];
             double ow = b.orientationW[s];
-            Rotations.rotate(ox, oy, oz, ow, roster.comX[s], roster.comY[s], roster.comZ[s], com);
+            Rotations.rotate(
+                    ox, oy, oz, ow, registry.comX[s], registry.comY[s], registry.comZ[s], com);
             x[row] = b.positionX[s] - com[0];
             y[row] = b.positionY[s] - com[1];
             z[row] = b.positionZ[s] - com[2];
@@ -245,12 +249,12 @@ public final class Publisher {
             qy[row] = oy;
             qz[row] = oz;
             qw[row] = ow;
-            jumps[row] = roster.jumps[s];
+            jumps[row] = registry.jumps[s];
         }
     }
 
     private void velocities(Chunk chunk) {
-        BodyStore b = roster.bodies;
+        BodyStore b = registry.bodies;
         int[] slots = chunk.in(SLOT);
         double[] vx = chunk.out(VX);
         double[] vy = chunk.out(VY);
@@ -267,7 +271,7 @@ public final class Publisher {
             wx[row] = b.angularVelocityX[s];
             wy[row] = b.angularVelocityY[s];
             wz[row] = b.angularVelocityZ[s];
-            roster.clearForces(s);
+            registry.clearForces(s);
         }
     }
 }

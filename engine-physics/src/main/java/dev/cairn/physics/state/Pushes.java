@@ -15,10 +15,10 @@ public final class Pushes {
     private final Sleepers sleepers;
     private final double[] rotated = new double[3];
 
-    /** On the bodies of a roster. */
-    public Pushes(Roster roster) {
-        bodies = roster.bodies;
-        sleepers = roster.sleepers;
+    /** On the bodies of a registry. */
+    public Pushes(BodyRegistry registry) {
+        bodies = registry.bodies;
+        sleepers = registry.sleepers;
     }
 
     private boolean isUnmoved(int s) {

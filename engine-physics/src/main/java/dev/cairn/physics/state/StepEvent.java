@@ -29,9 +29,9 @@ final class StepEvent extends Event {
     @Label("Contacts")
     int contacts;
 
-    @Label("Roster")
+    @Label("BodyRegistry")
     @Timespan
-    long roster;
+    long registry;
 
     @Label("Bounds")
     @Timespan
@@ -75,7 +75,7 @@ final class StepEvent extends Event {
         }
         bodies = bodyCount;
         contacts = contactCount;
-        roster = profile.lastNanos(StepStage.ROSTER);
+        registry = profile.lastNanos(StepStage.ROSTER);
         bounds = profile.lastNanos(StepStage.BOUNDS);
         pairs = profile.lastNanos(StepStage.PAIRS);
         rows = profile.lastNanos(StepStage.ROWS);

@@ -16,7 +16,7 @@ import java.util.List;
  * <p>Simulation thread, between steps.
  */
 public final class Wholes {
-    private final Roster roster;
+    private final BodyRegistry registry;
     private final ColliderStore colliders;
     private final PairRules rules;
 
@@ -25,10 +25,10 @@ public final class Wholes {
     private final List<double[]> poses = new ArrayList<>();
     private final List<Integer> slots = new ArrayList<>();
 
-    /** Of a roster's bodies. */
-    public Wholes(Roster roster, PairRules rules) {
-        this.roster = roster;
-        colliders = roster.colliders;
+    /** Of a registry's bodies. */
+    public Wholes(BodyRegistry registry, PairRules rules) {
+        this.registry = registry;
+        colliders = registry.colliders;
         this.rules = rules;
     }
 
@@ -119,7 +119,7 @@ public final class Wholes {
             dress(w, found.get(u));
         }
         if (isChanged && !isNew) {
-            roster.changed(body);
+            registry.changed(body);
         }
     }
 
@@ -142,7 +142,7 @@ public final class Wholes {
 
     private void leave(int w) {
         colliders.remove(body, w);
-        roster.leaveChild(w);
+        registry.leaveChild(w);
     }
 
     /** By part: the first part that is as it but for its shape and place; -1 for a sensor. */
@@ -201,7 +201,7 @@ public final class Wholes {
     }
 
     private int make(ConvexUnion union) {
-        int w = roster.takeChild();
+        int w = registry.takeChild();
         colliders.append(body, w, union.shape(), union.pose());
         colliders.wholes = true;
         colliders.whole[w] = w + 1;

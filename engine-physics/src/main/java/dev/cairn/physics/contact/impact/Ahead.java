@@ -2,7 +2,7 @@ package dev.cairn.physics.contact.impact;
 
 import dev.cairn.physics.broadphase.AabbTree;
 import dev.cairn.physics.broadphase.BroadPhase;
-import dev.cairn.physics.broadphase.RayWalk;
+import dev.cairn.physics.broadphase.RayTraversal;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 
@@ -12,7 +12,7 @@ final class Ahead {
     private final Struck bodies;
     private final MovingPair pair;
     private final ImpactQueue queue;
-    private final RayWalk walk = new RayWalk();
+    private final RayTraversal walk = new RayTraversal();
     private final double[] box = new double[6];
 
     // the tick in work

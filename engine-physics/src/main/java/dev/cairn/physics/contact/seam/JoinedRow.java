@@ -97,7 +97,7 @@ final class JoinedRow {
         int like = members.row(leader);
         ContactMaterials.join(
                 c, row, colliders, isSecond ? base : members.m, isSecond ? members.m : base);
-        ContactMaterials.rubLike(c, row, like);
+        ContactMaterials.frictionOf(c, row, like);
         c.cache[row] = key;
         boolean isKnown = record >= 0;
         if (isKnown) {

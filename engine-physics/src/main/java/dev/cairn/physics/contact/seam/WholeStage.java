@@ -272,7 +272,7 @@ public final class WholeStage {
             show(g, false);
         } else if (first >= 0) {
             for (int i = firstWhole[g]; i < endWhole[g]; i++) {
-                ContactMaterials.rubLike(c, ordered[i], first);
+                ContactMaterials.frictionOf(c, ordered[i], first);
             }
         }
     }

@@ -246,7 +246,7 @@ final class CandidateFeatures {
         }
         flatFace[flats] = face;
         facing(h.normalX(face), h.normalY(face), h.normalZ(face));
-        if (wide && h.isRough(face)) {
+        if (wide && h.isUneven(face)) {
             hidden(h, face);
         }
     }

@@ -108,7 +108,7 @@ final class SegmentHull {
         if (best > limit) {
             return true;
         }
-        if (best > CLEAR * scale && !hull.isRough(face)) {
+        if (best > CLEAR * scale && !hull.isUneven(face)) {
             double at = x * ux + y * uy + z * uz > 0 ? -h : h;
             if (Containment.face(hull, face, cx + at * ux, cy + at * uy, cz + at * uz) >= 0) {
                 return true;

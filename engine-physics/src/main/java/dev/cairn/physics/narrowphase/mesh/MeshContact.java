@@ -273,7 +273,7 @@ public final class MeshContact {
         x += half * m.normalX;
         y += half * m.normalY;
         z += half * m.normalZ;
-        int name = TriangleNames.shared(set, t, m.feature[i]);
+        int name = TriangleFeatures.shared(set, t, m.feature[i]);
         int kind = name & FeatureIds.CLOSEST;
         if (along < FaceRegions.ONE_PLANE && allows(px, py, pz, m.normalX, m.normalY, m.normalZ)) {
             int own = loose.group(m.normalX, m.normalY, m.normalZ);

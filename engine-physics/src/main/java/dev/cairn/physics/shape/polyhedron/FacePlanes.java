@@ -6,9 +6,9 @@ final class FacePlanes {
     final double[] sideX, sideY, sideZ, sideOffset;
 
     /** The corners of a face are not in one plane up to rounding; and whether any face is so. */
-    final boolean[] rough;
+    final boolean[] uneven;
 
-    boolean anyRough;
+    boolean anyUneven;
 
     FacePlanes(double[] x, double[] y, double[] z, Topology topology) {
         int faces = topology.faceBegin.length - 1;
@@ -21,7 +21,7 @@ final class FacePlanes {
         sideY = new double[slots];
         sideZ = new double[slots];
         sideOffset = new double[slots];
-        rough = new boolean[faces];
+        uneven = new boolean[faces];
         planes(x, y, z, topology);
     }
 
@@ -73,8 +73,8 @@ final class FacePlanes {
                 extent = Math.max(extent, Math.abs(z[v]));
             }
             offset[f] = d;
-            rough[f] = end - begin > 3 && d - low > 0x1p-46 * extent;
-            anyRough |= rough[f];
+            uneven[f] = end - begin > 3 && d - low > 0x1p-46 * extent;
+            anyUneven |= uneven[f];
             for (int s = begin; s < end; s++) {
                 int a = slotVertex[s];
                 int b = slotVertex[s + 1 == end ? begin : s + 1];

@@ -38,9 +38,9 @@ public final class Polyhedron {
     private final boolean block;
 
     /** Faces whose corners are not in one plane, but for what coplanar faces are merged within. */
-    private final boolean[] rough;
+    private final boolean[] uneven;
 
-    private final boolean anyRough;
+    private final boolean anyUneven;
 
     /**
      * Assembles the topology from vertices and loops.
@@ -71,8 +71,8 @@ public final class Polyhedron {
         FacePlanes planes = new FacePlanes(x, y, z, topology);
         plane = pack(planes.normalX, planes.normalY, planes.normalZ, planes.offset);
         sidePlane = pack(planes.sideX, planes.sideY, planes.sideZ, planes.sideOffset);
-        rough = planes.rough;
-        anyRough = planes.anyRough;
+        uneven = planes.uneven;
+        anyUneven = planes.anyUneven;
         double inner = Double.MAX_VALUE;
         for (int f = 0; f < faceCount(); f++) {
             double nx = normalX(f);
@@ -203,8 +203,8 @@ public final class Polyhedron {
      * Whether the corners of a face are not in one plane: it was merged from nearly coplanar ones,
      * and the edges between those are not listed. Never of a triangle.
      */
-    public boolean isRough(int face) {
-        return rough[face];
+    public boolean isUneven(int face) {
+        return uneven[face];
     }
 
     /** A component of the outward unit normal of a face. */
@@ -417,7 +417,7 @@ public final class Polyhedron {
                     best = v;
                 }
             }
-            if (at == best && anyRough) {
+            if (at == best && anyUneven) {
                 best = across(dx, dy, dz, at, bestDot);
                 bestDot = along(best, dx, dy, dz);
             }
@@ -434,7 +434,7 @@ public final class Polyhedron {
         double most = height;
         for (int s = spokeBegin[at]; s < spokeBegin[at + 1]; s++) {
             int f = spokeFace[s];
-            if (!rough[f]) {
+            if (!uneven[f]) {
                 continue;
             }
             for (int k = faceBegin[f]; k < faceBegin[f + 1]; k++) {

@@ -30,7 +30,7 @@ import java.util.Arrays;
  * <p>Arithmetic and square roots only: the same bits on every machine.
  */
 public final class AxisLocks {
-    /** Bits of {@link BodyStore#restraint}: turns about x, y, z. */
+    /** Bits of {@link BodyStore#motionFlags}: turns about x, y, z. */
     static final int TURNS = 7 << 3;
 
     /** Beyond this {@code z} nothing is left of a velocity after a step. */
@@ -83,7 +83,7 @@ public final class AxisLocks {
 
     /** Lets the velocities of a body with contacts decay over {@code h}. */
     static void damp(BodyStore b, double[] v, int i, double h) {
-        if ((b.restraint[i] & BodyStore.DAMPED) == 0) {
+        if ((b.motionFlags[i] & BodyStore.DAMPED) == 0) {
             return;
         }
         int o = SolverBodies.offset(i) + V;
@@ -104,7 +104,7 @@ public final class AxisLocks {
 
     /** Takes the part along locked axes of a body from the vector at {@code o}. */
     public static void lock(BodyStore b, double[] v, int o, int slot) {
-        int locks = b.restraint[slot];
+        int locks = b.motionFlags[slot];
         for (int k = 0; k < 3; k++) {
             if ((locks >> k & 1) != 0) {
                 v[o + k] = 0;
@@ -137,7 +137,7 @@ public final class AxisLocks {
             double az,
             double t,
             int substeps) {
-        int locks = b.restraint[i];
+        int locks = b.motionFlags[i];
         double z = b.linearDamping[i] * t;
         double e = decay(z);
         double f1 = t * mean(z);
@@ -175,7 +175,7 @@ public final class AxisLocks {
         double e = decay(z);
         double f1 = t * mean(z);
         double f2 = t * t * travel(z);
-        int locks = b.restraint[i] >> 3;
+        int locks = b.motionFlags[i] >> 3;
         double wx = (locks & 1) == 0 ? b.angularVelocityX[i] : 0;
         double wy = (locks & 2) == 0 ? b.angularVelocityY[i] : 0;
         double wz = (locks & 4) == 0 ? b.angularVelocityZ[i] : 0;
@@ -194,7 +194,7 @@ public final class AxisLocks {
      */
     static void rootOfInertia(BodyStore b, int i, double scale, double[] r, int k) {
         Arrays.fill(r, k, k + SolverBodies.ROOT, 0.0);
-        int locks = b.restraint[i] >> 3;
+        int locks = b.motionFlags[i] >> 3;
         int p = -1;
         int q = -1;
         for (int axis = 0; axis < 3; axis++) {

@@ -30,7 +30,7 @@ public final class Motion {
         double ax = scale * gx + m * b.forceX[i];
         double ay = scale * gy + m * b.forceY[i];
         double az = scale * gz + m * b.forceZ[i];
-        if (b.restraint[i] != 0) {
+        if (b.motionFlags[i] != 0) {
             AxisLocks.fly(b, s, i, ax, ay, az, t, substeps);
             return;
         }
@@ -198,8 +198,8 @@ public final class Motion {
         double k = v[o + GRAVITY] * b.gravityScale[i];
         double hv = h;
         double hw = h;
-        int restraint = b.restraint[i];
-        if (restraint != 0) {
+        int motionFlags = b.motionFlags[i];
+        if (motionFlags != 0) {
             AxisLocks.damp(b, v, i, h);
             hv = h * AxisLocks.mean(b.linearDamping[i] * h);
             hw = h * AxisLocks.mean(b.angularDamping[i] * h);
@@ -226,7 +226,7 @@ public final class Motion {
         for (int c = 0; c < 6; c++) {
             v[o + c] += s.warm[w + c];
         }
-        if (restraint != 0) {
+        if (motionFlags != 0) {
             AxisLocks.lock(b, v, o);
         }
         System.arraycopy(v, o, s.mark, w, 6);
@@ -244,7 +244,7 @@ public final class Motion {
         double turn = h;
         double half = 0.5 * h;
         double over = 1;
-        if (b.restraint[i] != 0) {
+        if (b.motionFlags[i] != 0) {
             AxisLocks.lock(b, v, o);
             if (v[o + LOADED] == 0) {
                 turn = h * AxisLocks.meanOverEnd(b.angularDamping[i] * h);
@@ -310,7 +310,7 @@ public final class Motion {
     /** End of a sub-step: what the contacts have done is the next warm start. */
     public static void keep(BodyStore b, SolverBodies s, int i) {
         int o = SolverBodies.offset(i);
-        if (b.restraint[i] != 0) {
+        if (b.motionFlags[i] != 0) {
             AxisLocks.lock(b, s.state, o);
         }
         int w = (i + 1) * SolverBodies.HALF;

@@ -8,7 +8,7 @@ import static dev.cairn.physics.solver.body.SolverBodies.V;
  */
 public final class MotionRecord {
     /**
-     * Doubles to a body of {@link SolverBodies#glide}, world: velocity at the start; velocity that
+     * Doubles to a body of {@link SolverBodies#motion}, world: velocity at the start; velocity that
      * moved it; angular velocity at the start, then what was added to it before the body turned;
      * angular velocity after the turn; then what a pinned corner needs; then what the energy bound
      * needs.
@@ -33,12 +33,12 @@ public final class MotionRecord {
 
     /** Start of a sub-step, before impacts of the contact. */
     public static void start(SolverBodies s, int i) {
-        System.arraycopy(s.state, SolverBodies.offset(i) + V, s.glide, STRIDE * i + FREE, 6);
+        System.arraycopy(s.state, SolverBodies.offset(i) + V, s.motion, STRIDE * i + FREE, 6);
     }
 
     /** The same for a body without a guide, after forces, before the warm start. */
     static void free(SolverBodies s, int i) {
-        System.arraycopy(s.state, SolverBodies.offset(i) + V, s.glide, STRIDE * i + FREE, 6);
+        System.arraycopy(s.state, SolverBodies.offset(i) + V, s.motion, STRIDE * i + FREE, 6);
     }
 
     /** After forces, before the warm start. */
@@ -49,7 +49,7 @@ public final class MotionRecord {
     private static void addFree(SolverBodies s, int i, double sign) {
         int o = SolverBodies.offset(i) + V;
         for (int c = 0; c < 6; c++) {
-            s.glide[STRIDE * i + FREE + c] += sign * s.state[o + c];
+            s.motion[STRIDE * i + FREE + c] += sign * s.state[o + c];
         }
     }
 
@@ -59,8 +59,8 @@ public final class MotionRecord {
         int o = SolverBodies.offset(i) + V;
         int g = STRIDE * i;
         for (int axis = 0; axis < 3; axis++) {
-            s.glide[g + axis] = s.state[o + axis];
-            s.glide[g + 6 + axis] = s.world(i, o + 3, axis);
+            s.motion[g + axis] = s.state[o + axis];
+            s.motion[g + 6 + axis] = s.world(i, o + 3, axis);
         }
     }
 
@@ -68,11 +68,11 @@ public final class MotionRecord {
     static void moves(SolverBodies s, int i, double vx, double vy, double vz) {
         int o = SolverBodies.offset(i) + V + 3;
         int g = STRIDE * i;
-        s.glide[g + 3] = vx;
-        s.glide[g + 4] = vy;
-        s.glide[g + 5] = vz;
+        s.motion[g + 3] = vx;
+        s.motion[g + 4] = vy;
+        s.motion[g + 5] = vz;
         for (int axis = 0; axis < 3; axis++) {
-            s.glide[g + 6 + axis] = s.world(i, o, axis) - s.glide[g + 6 + axis];
+            s.motion[g + 6 + axis] = s.world(i, o, axis) - s.motion[g + 6 + axis];
         }
     }
 
@@ -80,7 +80,7 @@ public final class MotionRecord {
     static void turned(SolverBodies s, int i) {
         int o = SolverBodies.offset(i) + V + 3;
         for (int axis = 0; axis < 3; axis++) {
-            s.glide[STRIDE * i + 9 + axis] = s.world(i, o, axis);
+            s.motion[STRIDE * i + 9 + axis] = s.world(i, o, axis);
         }
     }
 }

@@ -76,7 +76,7 @@ public final class SolverBodies {
     public double[] mark = {};
 
     /** For guided bodies, {@link MotionRecord#STRIDE} to a slot. */
-    public double[] glide = {};
+    public double[] motion = {};
 
     /**
      * {@link #FREE}, {@link #BOUND}, or the only row of the body where its partner is static: the
@@ -147,7 +147,7 @@ public final class SolverBodies {
             root = Arrays.copyOf(root, (n + 1) * ROOT);
             warm = Arrays.copyOf(warm, (n + 1) * HALF);
             mark = Arrays.copyOf(mark, (n + 1) * HALF);
-            glide = Arrays.copyOf(glide, n * MotionRecord.STRIDE);
+            motion = Arrays.copyOf(motion, n * MotionRecord.STRIDE);
             carry = Arrays.copyOf(carry, n * 12);
             guide = Arrays.copyOf(guide, n);
             loaded = new boolean[n];
@@ -277,7 +277,7 @@ public final class SolverBodies {
     public void rootOfInertia(BodyStore b, int i, double scale) {
         double[] r = root;
         int k = (i + 1) * ROOT;
-        if ((b.restraint[i] & AxisLocks.TURNS) != 0) {
+        if ((b.motionFlags[i] & AxisLocks.TURNS) != 0) {
             AxisLocks.rootOfInertia(b, i, scale, r, k);
             return;
         }
@@ -337,7 +337,7 @@ public final class SolverBodies {
         b.angularVelocityY[i] = world(i, o + V + 3, 1);
         b.angularVelocityZ[i] = world(i, o + V + 3, 2);
         b.move(i, s[o + P], s[o + P + 1], s[o + P + 2]);
-        if ((b.restraint[i] & BodyStore.LIMITED) != 0) {
+        if ((b.motionFlags[i] & BodyStore.LIMITED) != 0) {
             AxisLocks.limit(b, i);
         }
     }

@@ -283,7 +283,7 @@ final class DirectRow {
             d[o + (SUM + p) * lanes] += st[Scratch.CHANGE + p];
         }
         if (d[o + FRICTION * lanes] > 0) {
-            RollingFriction.rub(d, o, lanes, body, a, b, points);
+            RollingFriction.solve(d, o, lanes, body, a, b, points);
         }
     }
 }

@@ -31,7 +31,7 @@ public final class Bouncers {
      * more: two blocks and a wall make thousands, while a heap would take too long. Told by the
      * island, not by the batch, so that the cut changes no bit.
      */
-    public int[] meetings = {};
+    public int[] impactLimits = {};
 
     private int[] bouncing = {};
     private int count;
@@ -57,7 +57,7 @@ public final class Bouncers {
                                     contacts,
                                     Math.max(LEAST, bouncing.length + (bouncing.length >> 1)))];
             row = new int[bouncing.length];
-            meetings = new int[bouncing.length];
+            impactLimits = new int[bouncing.length];
         }
     }
 
@@ -115,7 +115,7 @@ public final class Bouncers {
             tally[islands.root(list.mover(row[k]))]++;
         }
         for (int k = 0; k < count; k++) {
-            meetings[k] = Math.max(FEWEST, VISITS / tally[islands.root(list.mover(row[k]))]);
+            impactLimits[k] = Math.max(FEWEST, VISITS / tally[islands.root(list.mover(row[k]))]);
         }
     }
 

@@ -345,7 +345,7 @@ public final class BallImpacts {
         }
         solve();
         for (int n = 0; n < count; n++) {
-            rub(n);
+            friction(n);
         }
         for (int n = 0; n < count; n++) {
             int l = rows.list.place[bouncer[pair[n]]] * LINK;
@@ -472,7 +472,7 @@ public final class BallImpacts {
     }
 
     /** Friction of a pair, bounded by its impulse, and its totals. */
-    private void rub(int n) {
+    private void friction(int n) {
         ConstraintRows look = window.open(rows, rows.list.place[bouncer[pair[n]]]);
         int place = window.place();
         int o = look.base(place);
@@ -483,7 +483,7 @@ public final class BallImpacts {
             int i = look.link[place * LINK];
             int j = look.link[place * LINK + 1];
             d[o + (POINT + IMPULSE) * lanes] = impulse[n];
-            ScalarFriction.rub(d, o, lanes, bodies.state, i, j, 1);
+            ScalarFriction.solve(d, o, lanes, bodies.state, i, j, 1);
             for (int k = 0; k < 3; k++) {
                 d[o + (TOTAL + k) * lanes] += d[o + (LAMBDA + k) * lanes];
                 d[o + (LAMBDA + k) * lanes] = 0;

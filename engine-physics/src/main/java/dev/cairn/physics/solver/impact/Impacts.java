@@ -102,7 +102,7 @@ public final class Impacts {
      * What one contact does depends on those of its island alone.
      *
      * @param bouncer contacts with restitution, among others
-     * @param meetings of each, in a sub-step, at most
+     * @param impactLimits of each, in a sub-step, at most
      * @param from where those of the batch start
      * @param h length of the sub-step, s
      * @return whether there was one: bodies have moved
@@ -111,7 +111,7 @@ public final class Impacts {
             SolverContext tick,
             ConstraintRows constraintRows,
             int[] bouncer,
-            int[] meetings,
+            int[] impactLimits,
             int from,
             int to,
             double h) {
@@ -133,7 +133,7 @@ public final class Impacts {
         while (again) {
             again = false;
             for (int k = from; k < to; k++) {
-                if (met[k - from] < meetings[k] && meets(tick, bouncer[k], k, h, threshold)) {
+                if (met[k - from] < impactLimits[k] && meets(tick, bouncer[k], k, h, threshold)) {
                     met[k - from]++;
                     again = true;
                 }
@@ -313,16 +313,16 @@ public final class Impacts {
         }
         blow.uniform(early);
         blow.newton(early);
-        boolean rubs = d[o + FRICTION * lanes] > 0;
-        if (rubs) {
-            ScalarFriction.rub(d, o, lanes, body, a, b, points);
+        boolean hasFriction = d[o + FRICTION * lanes] > 0;
+        if (hasFriction) {
+            ScalarFriction.solve(d, o, lanes, body, a, b, points);
         }
         double share = shareWithoutGain(time);
         for (int p = 0; p < points; p++) {
             d[o + (SUM + p) * lanes] += share * d[blow.point(p) + IMPULSE * lanes];
             d[blow.point(p) + IMPULSE * lanes] = 0;
         }
-        for (int k = 0; k < 3 && rubs; k++) {
+        for (int k = 0; k < 3 && hasFriction; k++) {
             d[o + (TOTAL + k) * lanes] += share * d[o + (LAMBDA + k) * lanes];
             d[o + (LAMBDA + k) * lanes] = 0;
         }
@@ -395,7 +395,7 @@ public final class Impacts {
         if (!(time > 0) || !bodies.isMoved(at)) {
             return;
         }
-        bodies.glide[MotionRecord.STRIDE * SolverBodies.slot(at) + MotionRecord.STRUCK] = 1;
+        bodies.motion[MotionRecord.STRIDE * SolverBodies.slot(at) + MotionRecord.STRUCK] = 1;
         bodies.shifted[SolverBodies.slot(at)] = true;
         int p = at + SolverBodies.P;
         double tu = -time * (body[at + 3] - old[q + 3]);

@@ -55,10 +55,10 @@ final class TurnedRows {
             indexOf[turned] = ++count;
         }
         at = indexOf[turned] - 1;
-        boolean rubs = d[o + FRICTION * lanes] > 0;
+        boolean hasFriction = d[o + FRICTION * lanes] > 0;
         for (int k = 0; k < 3; k++) {
             sum[3 * at + k] += d[o + SUM * lanes] * d[o + k * lanes];
-            friction[k] = rubs ? StoreRow.tangent(d, o, lanes, TOTAL, k) : 0;
+            friction[k] = hasFriction ? StoreRow.tangent(d, o, lanes, TOTAL, k) : 0;
         }
         d[o + SUM * lanes] = 0;
     }

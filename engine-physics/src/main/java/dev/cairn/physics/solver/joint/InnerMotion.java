@@ -115,7 +115,7 @@ final class InnerMotion {
             double m = 1 / v[o + SolverBodies.MASS];
             mass += m;
             turns &=
-                    tick.bodies.restraint[i] == 0
+                    tick.bodies.motionFlags[i] == 0
                             && invert(tick.body.root, (i + 1) * SolverBodies.ROOT);
             reach(tick, s, i);
             for (int c = 0; c < 3; c++) {

@@ -133,11 +133,11 @@ public final class JointSolve extends PositionTrial {
     /**
      * Bodies that have turned get the root of their present inertia, unless that was done.
      *
-     * @param renewal has done it for those that have contacts
+     * @param refresh has done it for those that have contacts
      */
-    public void turn(JacobianRefresh renewal) {
+    public void turn(JacobianRefresh refresh) {
         for (int i : s.body) {
-            if (!renewal.stirs(i)) {
+            if (!refresh.stirs(i)) {
                 renew(tick, i);
             }
         }

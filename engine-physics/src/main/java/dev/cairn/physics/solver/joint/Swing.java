@@ -63,7 +63,7 @@ public final class Swing {
             return false;
         }
         for (int i : s.body) {
-            if (b.restraint[i] != 0) {
+            if (b.motionFlags[i] != 0) {
                 return false;
             }
         }

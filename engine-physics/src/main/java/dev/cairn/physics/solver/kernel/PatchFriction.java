@@ -3,10 +3,10 @@ package dev.cairn.physics.solver.kernel;
 /**
  * What an evenly pressed patch can do against sliding and spinning at once.
  *
- * <p>Problem: a disc that slides at v and spins at w rubs in a different direction at every point.
- * Bounded apart, its slide and its spin stop one after the other; really they stop together, with
- * {@code v/(r w) = 0.653}. Let N be the normal impulse, R the patch's radius ({@code 3/2} of the
- * mean distance of its area from its middle), {@code x = |v|, y = R w, e = x/y}. Then
+ * <p>Problem: a disc that slides at v and spins at w is braked in a different direction at every
+ * point. Bounded apart, its slide and its spin stop one after the other; really they stop together,
+ * with {@code v/(r w) = 0.653}. Let N be the normal impulse, R the patch's radius ({@code 3/2} of
+ * the mean distance of its area from its middle), {@code x = |v|, y = R w, e = x/y}. Then
  *
  * <pre>F = mu N x/S,  T = mu N k R y/S,  S² = x² + s y²</pre>
  *
@@ -113,9 +113,8 @@ public final class PatchFriction {
     }
 
     /**
-     * D: the speed of the rub that is left, m/s. Squares are taken of ratios up to 1 only: a patch
-     * whose weight is on one point is as good as without a radius, and its numbers may be of any
-     * size.
+     * D: the slip that is left, m/s. Squares are taken of ratios up to 1 only: a patch whose weight
+     * is on one point is as good as without a radius, and its numbers may be of any size.
      *
      * @param slide impulse that stops the slide
      * @param across impulse that stops the spin, times R and the root of s

@@ -29,7 +29,7 @@ public final class PrepareRow implements RowFiller {
     private static final double TRIANGLE = 0.46;
     private static final double SQUARE = 0.541;
 
-    /** How far from the patch's middle a point rubs, over its own distance. */
+    /** How far from the patch's middle friction acts at a point, over its own distance. */
     public static double share(ContactStore c, int source) {
         double share = c.patch[source];
         int n = c.pointCount[source];
@@ -49,7 +49,7 @@ public final class PrepareRow implements RowFiller {
         double scale = sub.fillScale;
         for (int group = from; group < to; group += lanes) {
             int most = 0;
-            boolean rough = false;
+            boolean hasFriction = false;
             for (int j = group; j < group + lanes; j++) {
                 int n = rows.link[j * LINK + ConstraintRows.COUNT];
                 int o = rows.base(j);
@@ -59,11 +59,11 @@ public final class PrepareRow implements RowFiller {
                 }
                 int source = rows.link[j * LINK + ConstraintRows.SOURCE];
                 most = Math.max(most, n);
-                rough |= c.friction(source) > 0;
+                hasFriction |= c.friction(source) > 0;
                 row(rows, bodies, c, j, o, source, sub, scale);
             }
             rows.points[group / lanes] = most == 3 ? 4 : most;
-            rows.rough[group / lanes] = rough;
+            rows.hasFriction[group / lanes] = hasFriction;
         }
     }
 
@@ -182,7 +182,7 @@ public final class PrepareRow implements RowFiller {
         int lanes = rows.lanes;
         int a = rows.link[j * LINK];
         int b = rows.link[j * LINK + 1];
-        boolean unloaded = rows.settleMark[j] != 0;
+        boolean settles = rows.settleMark[j] != 0;
         double nx = d[o];
         double ny = d[o + lanes];
         double nz = d[o + 2 * lanes];
@@ -225,7 +225,7 @@ public final class PrepareRow implements RowFiller {
             // at rest the soft step holds the load l with the overlap l / k; the offset stands for
             // the load that it knows
             double k = mass * stiffness;
-            double known = unloaded ? 0 : c.preload[p] * scale;
+            double known = settles ? 0 : c.preload[p] * scale;
             double gap = c.separation[p] - (k > 0 ? known / k : 0);
             double impulse = c.normalImpulse[p] * scale;
             d[o + (GAP + i) * lanes] = gap;

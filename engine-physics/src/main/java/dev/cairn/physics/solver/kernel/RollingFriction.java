@@ -100,17 +100,17 @@ public final class RollingFriction {
         double size = Math.max(Math.abs(d1), Math.abs(d2));
         double worst = mass > 0 ? size * Math.sqrt(inverse / (2 * mass)) : 0;
         return d[o + FRICTION * lanes] > 0
-                ? Math.max(worst, rub(d, o, lanes, body, a, b, points))
+                ? Math.max(worst, solve(d, o, lanes, body, a, b, points))
                 : worst;
     }
 
     /** Friction once more, with its totals; returns its largest change. */
-    public static double rub(
+    public static double solve(
             double[] d, int o, int lanes, double[] body, int a, int b, int points) {
         double x = d[o + LAMBDA * lanes];
         double y = d[o + (LAMBDA + 1) * lanes];
         double twist = d[o + (LAMBDA + 2) * lanes];
-        ScalarFriction.rub(d, o, lanes, body, a, b, points);
+        ScalarFriction.solve(d, o, lanes, body, a, b, points);
         x = d[o + LAMBDA * lanes] - x;
         y = d[o + (LAMBDA + 1) * lanes] - y;
         twist = d[o + (LAMBDA + 2) * lanes] - twist;

@@ -12,9 +12,9 @@ public final class ScalarFriction {
      * would stop it, {@code t' = t - w/K, l' = l - K^-1 vt}, drawn back to what the patch can do,
      * see {@link PatchFriction}. Returns the sum of the normal impulses.
      */
-    public static double rub(
+    public static double solve(
             double[] d, int o, int lanes, double[] body, int a, int b, int points) {
-        return rub(d, o, lanes, body, a, b, points, 0, 0);
+        return solve(d, o, lanes, body, a, b, points, 0, 0);
     }
 
     /**
@@ -23,7 +23,7 @@ public final class ScalarFriction {
      * @param u1 by how much B's surface runs faster than A's, first tangent, m/s
      * @param u2 the same, second tangent
      */
-    static double rub(
+    static double solve(
             double[] d,
             int o,
             int lanes,

@@ -61,7 +61,7 @@ public final class ScalarSweep implements ScalarPasses {
             d[o + COLD * lanes] = cold ? 1 : 0;
             ScalarNormals.soften(d, o, lanes, n, fixed, sub, st);
             boolean moved = ScalarNormals.sweep(d, o, lanes, body, a, b, n, sub.sweeps, SOFT, st);
-            int more = sub.landing - sub.sweeps;
+            int more = sub.landingSweeps - sub.sweeps;
             if (cold && moved && more > 0) {
                 ScalarNormals.soften(d, o, lanes, n, fixed, sub, st);
                 ScalarNormals.sweep(d, o, lanes, body, a, b, n, more, NONE, st);
@@ -101,15 +101,15 @@ public final class ScalarSweep implements ScalarPasses {
             boolean cold = d[o + COLD * lanes] > 0;
             boolean moved = hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, HARD, st);
             if (cold && moved) {
-                int more = sub.landing - sub.sweeps;
+                int more = sub.landingSweeps - sub.sweeps;
                 hard(d, o, lanes, body, a, b, n, sub, more, NONE, st);
             }
             if (d[o + FRICTION * lanes] > 0) {
                 cold |= ScalarFriction.isStale(d, o, lanes, n);
-                double normal = ScalarFriction.rub(d, o, lanes, body, a, b, n);
+                double normal = ScalarFriction.solve(d, o, lanes, body, a, b, n);
                 for (int round = 1; cold && normal > 0 && round < sub.coldRounds; round++) {
-                    hard(d, o, lanes, body, a, b, n, sub, sub.landing, NONE, st);
-                    normal = ScalarFriction.rub(d, o, lanes, body, a, b, n);
+                    hard(d, o, lanes, body, a, b, n, sub, sub.landingSweeps, NONE, st);
+                    normal = ScalarFriction.solve(d, o, lanes, body, a, b, n);
                 }
             }
             ScalarFriction.total(d, o, lanes, n);
@@ -159,7 +159,7 @@ public final class ScalarSweep implements ScalarPasses {
                 int b = link[l + 1];
                 hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, NONE, st);
                 if (d[o + FRICTION * lanes] > 0) {
-                    ScalarFriction.rub(d, o, lanes, body, a, b, n);
+                    ScalarFriction.solve(d, o, lanes, body, a, b, n);
                 }
             }
         }
@@ -182,13 +182,13 @@ public final class ScalarSweep implements ScalarPasses {
         for (int round = 0; n > 0 && d[o + FRICTION * lanes] > 0 && round < ROUNDS; round++) {
             double x = d[f];
             double y = d[f + lanes];
-            ScalarFriction.rub(d, o, lanes, body, a, b, n);
+            ScalarFriction.solve(d, o, lanes, body, a, b, n);
             double change = Math.abs(d[f] - x) + Math.abs(d[f + lanes] - y);
             if (!(change > AGREED * (Math.abs(x) + Math.abs(y)))) {
                 return;
             }
             ScalarNormals.soften(d, o, lanes, n, true, sub, st);
-            ScalarNormals.sweep(d, o, lanes, body, a, b, n, sub.landing, NONE, st);
+            ScalarNormals.sweep(d, o, lanes, body, a, b, n, sub.landingSweeps, NONE, st);
         }
     }
 
@@ -214,7 +214,7 @@ public final class ScalarSweep implements ScalarPasses {
             int l = j * LINK;
             double u1 = /*(float)*/ rows.drags.speed(rows, j, 0);
             double u2 = /*(float)*/ rows.drags.speed(rows, j, 1);
-            ScalarFriction.rub(
+            ScalarFriction.solve(
                     d,
                     o,
                     lanes,

@@ -221,7 +221,7 @@ public final class StartSweep implements StartPass {
         if (d[o + FRICTION * lanes] > 0) {
             double x = d[o + ConstraintRows.LAMBDA * lanes];
             double y = d[o + (ConstraintRows.LAMBDA + 1) * lanes];
-            ScalarFriction.rub(d, o, lanes, body, a, b, n);
+            ScalarFriction.solve(d, o, lanes, body, a, b, n);
             change = Math.max(change, Math.abs(d[o + ConstraintRows.LAMBDA * lanes] - x));
             change = Math.max(change, Math.abs(d[o + (ConstraintRows.LAMBDA + 1) * lanes] - y));
         }

@@ -97,7 +97,7 @@ final class DenseRow {
      *
      * @param part 0 for A, 3 for B
      */
-    void side(double[] root, int body, int part, int n, boolean rough) {
+    void side(double[] root, int body, int part, int n, boolean hasFriction) {
         int k = (body >> 4) * SolverBodies.ROOT;
         int p = part;
         int q = POINT + (part == 0 ? ARM_A : ARM_B);
@@ -115,11 +115,11 @@ final class DenseRow {
             p += NUMBERS;
             q += POINT_FIELDS;
         }
-        if (rough) {
+        if (hasFriction) {
             arm(root, k, CENTRE + part, TANGENT1, lever);
             arm(root, k, CENTRE + part, TANGENT2, lever + 3);
         }
-        if (rough && n > 1) {
+        if (hasFriction && n > 1) {
             weigh(root, k, r[0], r[1], r[2], TWIST + part);
         }
     }
@@ -142,13 +142,13 @@ final class DenseRow {
         r[out + 2] = root[k + 2] * x + root[k + 5] * y + root[k + 8] * z;
     }
 
-    void points(double[] record, int k, int n, double masses, double stiffness, boolean unloaded) {
+    void points(double[] record, int k, int n, double masses, double stiffness, boolean settles) {
         for (int i = 0; i < n; i++) {
             int q = POINT + i * POINT_FIELDS;
             double w = masses + (dot(q + ARM_A, q + ARM_A) + dot(q + ARM_B, q + ARM_B));
             double mass = w > 0 ? 1 / w : 0;
             double stiff = mass * stiffness;
-            double known = unloaded ? 0 : record[k + RefreshRow.POINTS + NUMBERS * i + LOADS];
+            double known = settles ? 0 : record[k + RefreshRow.POINTS + NUMBERS * i + LOADS];
             double gap = at[NUMBERS * i + GAPS] - (stiff > 0 ? known / stiff : 0);
             r[q + MASS] = mass;
             r[q + SEPARATION] = gap;
@@ -180,7 +180,7 @@ final class DenseRow {
      * @param sign -1 for A, 1 for B; the other way round takes them out
      * @param part 0 for A, 3 for B
      */
-    void warm(double[] warm, int body, double sign, int part, int n, boolean rough) {
+    void warm(double[] warm, int body, double sign, int part, int n, boolean hasFriction) {
         if (body == 0) {
             return;
         }
@@ -198,20 +198,20 @@ final class DenseRow {
             sum += impulse;
         }
         double f = m * sum;
-        double f1 = rough ? sign * r[LAMBDA] : 0;
-        double f2 = rough ? sign * r[LAMBDA + 1] : 0;
-        double f3 = rough ? sign * r[LAMBDA + 2] : 0;
+        double f1 = hasFriction ? sign * r[LAMBDA] : 0;
+        double f2 = hasFriction ? sign * r[LAMBDA + 1] : 0;
+        double f3 = hasFriction ? sign * r[LAMBDA + 2] : 0;
         double g1 = m * f1;
         double g2 = m * f2;
         // zeros leave positive
         for (int k = 0; k < 3; k++) {
             double v = warm[w + k] + f * r[k] + 0.0;
-            warm[w + k] = rough ? v + g1 * r[TANGENT1 + k] + g2 * r[TANGENT2 + k] : v;
+            warm[w + k] = hasFriction ? v + g1 * r[TANGENT1 + k] + g2 * r[TANGENT2 + k] : v;
         }
         x += 0.0;
         y += 0.0;
         z += 0.0;
-        if (rough) {
+        if (hasFriction) {
             int lever = LEVER + 2 * part;
             int t = TWIST + part;
             x = x + f1 * r[lever] + f2 * r[lever + 3] + f3 * r[t];

@@ -331,7 +331,7 @@ public final class JacobianRefresh {
         byte other = second ? c.surfaceA[source] : c.surfaceB[source];
         if (!Surface.isFlat(other)
                 || !Surface.isCorner(own, c.feature[ContactStore.POINTS * source + point], second)
-                || (b.restraint[i] & ~BodyStore.DAMPED) != 0) {
+                || (b.motionFlags[i] & ~BodyStore.DAMPED) != 0) {
             return Double.NaN;
         }
         int k = KEPT * place + RefreshRow.POINTS + RefreshRow.NUMBERS * point;

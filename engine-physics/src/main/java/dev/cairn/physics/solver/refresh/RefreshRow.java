@@ -26,7 +26,10 @@ public final class RefreshRow {
 
     static final int TANGENTS = 3;
 
-    /** How far from the patch's middle a point rubs, over its own distance; -1: no friction. */
+    /**
+     * How far from the patch's middle friction acts at a point, over its own distance; -1: no
+     * friction.
+     */
     static final int SHARE = 9;
 
     /** Start of the points, {@link #NUMBERS} each: anchors of A and B, then these. */
@@ -192,7 +195,7 @@ public final class RefreshRow {
         double mb = bodies.state[b + SolverBodies.MASS];
         boolean fixed = ma == 0 || mb == 0;
         double share = record[k + SHARE];
-        boolean rough = share >= 0;
+        boolean hasFriction = share >= 0;
         for (int i = 0; i < 3; i++) {
             r[i] = record[k + i];
             r[TANGENT1 + i] = record[k + TANGENTS + i];
@@ -200,28 +203,28 @@ public final class RefreshRow {
         }
         r[MASS_A] = ma;
         r[MASS_B] = mb;
-        if (rough && n == 1) {
+        if (hasFriction && n == 1) {
             row.centre(fixed ? 0.5 * at[GAPS] : 0);
-        } else if (rough) {
+        } else if (hasFriction) {
             row.centre(n, fixed, fixed ? 0 : row.moved(bodies.state, a, b));
         }
-        row.side(bodies.root, a, 0, n, rough);
-        row.side(bodies.root, b, 3, n, rough);
+        row.side(bodies.root, a, 0, n, hasFriction);
+        row.side(bodies.root, b, 3, n, hasFriction);
         row.points(record, k, n, ma + mb, sub.stiffness(fixed), rows.settleMark[j] != 0);
-        if (rough) {
+        if (hasFriction) {
             row.reach(n, share);
             row.block(ma + mb, n > 1);
         }
-        read(rows, rows.base(j), n, rough);
+        read(rows, rows.base(j), n, hasFriction);
         r[LAMBDA + 2] = r[TWIST_MASS] > 0 ? r[LAMBDA + 2] : 0;
-        write(rows, rows.base(j), a, b, n, rough, turned);
-        row.warm(bodies.warm, a, -1, 0, n, rough);
-        row.warm(bodies.warm, b, 1, 3, n, rough);
+        write(rows, rows.base(j), a, b, n, hasFriction, turned);
+        row.warm(bodies.warm, a, -1, 0, n, hasFriction);
+        row.warm(bodies.warm, b, 1, 3, n, hasFriction);
     }
 
     /** Writes what can have changed. */
     private void write(
-            ConstraintRows rows, int o, int a, int b, int n, boolean rough, boolean turned) {
+            ConstraintRows rows, int o, int a, int b, int n, boolean hasFriction, boolean turned) {
         for (int i = 0; i < n; i++) {
             int q = POINT + i * POINT_FIELDS;
             // what does not move has no lever
@@ -232,7 +235,7 @@ public final class RefreshRow {
             write(rows, o, q + SEPARATION, 1);
         }
         write(rows, o, GAP, n);
-        if (!rough) {
+        if (!hasFriction) {
             return;
         }
         if (turned) {
@@ -247,11 +250,11 @@ public final class RefreshRow {
         }
     }
 
-    private void read(ConstraintRows rows, int o, int n, boolean rough) {
+    private void read(ConstraintRows rows, int o, int n, boolean hasFriction) {
         for (int i = 0; i < n; i++) {
             copy(rows, o, POINT + i * POINT_FIELDS + IMPULSE, 1);
         }
-        if (rough) {
+        if (hasFriction) {
             copy(rows, o, LAMBDA, 3);
         }
     }
@@ -280,25 +283,25 @@ public final class RefreshRow {
     void takeOut(ConstraintRows rows, double[] warm, int j, boolean ofA, boolean ofB) {
         int o = rows.base(j);
         int n = rows.points(j);
-        boolean rough = rows.get(o + FRICTION * rows.lanes) > 0;
+        boolean hasFriction = rows.get(o + FRICTION * rows.lanes) > 0;
         copy(rows, o, 0, 3);
         copy(rows, o, MASS_A, 2);
-        read(rows, o, n, rough);
+        read(rows, o, n, hasFriction);
         int field = ofA ? ARM_A : ARM_B;
         int count = ofA && ofB ? 6 : 3;
         for (int i = 0; i < n; i++) {
             copy(rows, o, POINT + i * POINT_FIELDS + field, count);
         }
-        if (rough) {
+        if (hasFriction) {
             copy(rows, o, TANGENT1, 6);
             copy(rows, o, ofA ? LEVER : LEVER + 6, 2 * count);
             copy(rows, o, TWIST + field, count);
         }
         if (ofA) {
-            row.warm(warm, rows.link[j * LINK], 1, 0, n, rough);
+            row.warm(warm, rows.link[j * LINK], 1, 0, n, hasFriction);
         }
         if (ofB) {
-            row.warm(warm, rows.link[j * LINK + 1], -1, 3, n, rough);
+            row.warm(warm, rows.link[j * LINK + 1], -1, 3, n, hasFriction);
         }
     }
 

@@ -132,7 +132,7 @@ public final class ConstraintRows implements EdgePlaces {
     public int[] points = {};
 
     /** Whether a row of a group has friction. */
-    public boolean[] rough = {};
+    public boolean[] hasFriction = {};
 
     /**
      * By place: what the settle pass does to the row. 1 in the tick in which a load that the
@@ -207,7 +207,7 @@ public final class ConstraintRows implements EdgePlaces {
             link = new int[n * LINK];
             settleMark = new byte[n];
             points = new int[n / lanes];
-            rough = new boolean[n / lanes];
+            hasFriction = new boolean[n / lanes];
         }
     }
 }

@@ -28,10 +28,10 @@ public final class Scratch {
 
     public static final int PB = VA + 24 * LINE;
 
-    /** Marks of lanes: those that land, those that rub, and all. */
+    /** Marks of lanes: those that land, those that slide, and all. */
     public static final int LANDS = VA + 32 * LINE;
 
-    public static final int RUBS = VA + 33 * LINE;
+    public static final int SLIDES = VA + 33 * LINE;
     public static final int ONES = VA + 34 * LINE;
 
     /** By group, at its first lane: 1 if it has nothing to do. */

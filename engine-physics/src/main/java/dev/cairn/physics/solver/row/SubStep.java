@@ -52,7 +52,7 @@ public final class SubStep {
     /** Sweeps over the points of a contact, of one that lands, and rounds with its friction. */
     public int sweeps;
 
-    public int landing;
+    public int landingSweeps;
     public int coldRounds;
 
     /** Most sweeps over a lone contact. */
@@ -87,7 +87,7 @@ public final class SubStep {
         fixedMassScale = fixed.massScale;
         fixedImpulseScale = fixed.impulseScale;
         sweeps = settings.count(Tunable.INNER_SWEEPS);
-        landing = Math.max(sweeps, settings.count(Tunable.COLD_SWEEPS) / 2);
+        landingSweeps = Math.max(sweeps, settings.count(Tunable.COLD_SWEEPS) / 2);
         coldRounds = settings.count(Tunable.COLD_SWEEPS);
         lone = settings.count(Tunable.LONE_SWEEPS);
     }

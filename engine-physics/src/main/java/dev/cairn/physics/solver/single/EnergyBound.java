@@ -56,7 +56,7 @@ final class EnergyBound {
             int place,
             int at) {
         double[] v = s.state;
-        double[] free = s.glide;
+        double[] free = s.motion;
         int o = SolverBodies.offset(i) + V;
         int g = MotionRecord.STRIDE * i + MotionRecord.FREE;
         double mass = 1 / v[SolverBodies.offset(i) + MASS];
@@ -80,7 +80,7 @@ final class EnergyBound {
             v[o + c] = free[g + c] + share * (v[o + c] - free[g + c]);
             s.warm[w + c] *= share;
         }
-        if (b.restraint[i] != 0) {
+        if (b.motionFlags[i] != 0) {
             AxisLocks.lock(b, v, SolverBodies.offset(i));
         }
         int r = rows.base(place);

@@ -243,7 +243,7 @@ final class InelasticImpact {
             double x = d[o + LAMBDA * lanes];
             double y = d[o + (LAMBDA + 1) * lanes];
             int link = place * LINK;
-            ScalarFriction.rub(d, o, lanes, body, rows.link[link], rows.link[link + 1], points);
+            ScalarFriction.solve(d, o, lanes, body, rows.link[link], rows.link[link + 1], points);
             change = Math.max(change, Math.abs(d[o + LAMBDA * lanes] - x));
             change = Math.max(change, Math.abs(d[o + (LAMBDA + 1) * lanes] - y));
             if (!(change > AGREES * RowArithmetic.largest(d, o, lanes, points))) {

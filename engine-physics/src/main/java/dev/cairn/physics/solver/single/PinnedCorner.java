@@ -85,7 +85,7 @@ final class PinnedCorner {
     /** Start of a sub-step, before its kick: remembers where a body is that stands on a point. */
     static void begin(
             BodyStore b, SolverBodies s, int i, ConstraintRows rows, int place, double touch) {
-        double[] d = s.glide;
+        double[] d = s.motion;
         int g = MotionRecord.STRIDE * i;
         int corner = d[g + MotionRecord.STRUCK] != 0 ? -1 : only(rows, place, touch);
         d[g + MotionRecord.STRUCK] = 0;
@@ -136,7 +136,7 @@ final class PinnedCorner {
         SolverBodies s = tick.body;
         BodyStore b = tick.bodies;
         int g = MotionRecord.STRIDE * i;
-        int corner = (int) s.glide[g + MotionRecord.CORNER];
+        int corner = (int) s.motion[g + MotionRecord.CORNER];
         int o = SolverBodies.offset(i);
         if (corner < 0 || s.state[o + GRAVITY] != 1 || pressesElsewhere(rows, place, corner)) {
             return false;
@@ -148,7 +148,7 @@ final class PinnedCorner {
             return false;
         }
         read(b, i, swept, 0);
-        write(b, i, s.glide, g + MotionRecord.START + 6);
+        write(b, i, s.motion, g + MotionRecord.START + 6);
         step(tick, i, sub.seconds, rolling.has(kept));
         int r = rows.base(place);
         double friction = rows.doubles[r + FRICTION * rows.lanes];
@@ -180,7 +180,7 @@ final class PinnedCorner {
             double gap,
             SubStep sub) {
         // how far the corner has moved since the tick's start
-        double[] d = s.glide;
+        double[] d = s.motion;
         int g = MotionRecord.STRIDE * i;
         int o = SolverBodies.offset(i);
         double open = gap;
@@ -215,7 +215,7 @@ final class PinnedCorner {
         SolverBodies s = tick.body;
         BodyStore b = tick.bodies;
         int g = MotionRecord.STRIDE * i;
-        double[] d = s.glide;
+        double[] d = s.motion;
         double mass = 1 / s.state[SolverBodies.offset(i) + MASS];
         double scale = mass * b.gravityScale[i];
         force[0] = scale * tick.gravity[0] + b.forceX[i];
@@ -223,7 +223,7 @@ final class PinnedCorner {
         force[2] = scale * tick.gravity[2] + b.forceZ[i];
         double linear = 1;
         double angular = 1;
-        if (b.restraint[i] != 0) {
+        if (b.motionFlags[i] != 0) {
             linear = AxisLocks.decay(b.linearDamping[i] * h);
             angular = AxisLocks.decay(b.angularDamping[i] * h);
         }
@@ -397,9 +397,9 @@ final class PinnedCorner {
         d[q] = normal;
         for (int k = 0; k < 3; k++) {
             int t = r + (k == 0 ? TANGENT1 : TANGENT2) * lanes;
-            double rub = k < 2 ? side * dot(d, t, lanes) : 0;
-            d[r + (TOTAL + k) * lanes] += rub - d[r + (LAMBDA + k) * lanes];
-            d[r + (LAMBDA + k) * lanes] = rub;
+            double along = k < 2 ? side * dot(d, t, lanes) : 0;
+            d[r + (TOTAL + k) * lanes] += along - d[r + (LAMBDA + k) * lanes];
+            d[r + (LAMBDA + k) * lanes] = along;
         }
         int w = (i + 1) * SolverBodies.HALF;
         Arrays.fill(s.warm, w, w + 6, 0.0);

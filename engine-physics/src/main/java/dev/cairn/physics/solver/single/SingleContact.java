@@ -87,7 +87,7 @@ final class SingleContact {
             worst = Math.max(worst, Math.abs(change));
         }
         if (d[o + ConstraintRows.FRICTION * lanes] > 0) {
-            worst = Math.max(worst, RollingFriction.rub(d, o, lanes, body, a, b, n));
+            worst = Math.max(worst, RollingFriction.solve(d, o, lanes, body, a, b, n));
         }
         return worst;
     }

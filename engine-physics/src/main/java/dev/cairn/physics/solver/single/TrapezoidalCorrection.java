@@ -66,7 +66,7 @@ final class TrapezoidalCorrection {
             return;
         }
         int g = MotionRecord.STRIDE * i;
-        double[] d = s.glide;
+        double[] d = s.motion;
         int r = rows.base(place);
         double nx = rows.doubles[r];
         double ny = rows.doubles[r + rows.lanes];
@@ -88,7 +88,7 @@ final class TrapezoidalCorrection {
      */
     private static double rock(
             BodyStore b, SolverBodies s, int i, ConstraintRows rows, int place, double h) {
-        double[] d = s.glide;
+        double[] d = s.motion;
         int g = MotionRecord.STRIDE * i;
         int o = SolverBodies.offset(i);
         double x = 0.5 * h * (s.world(i, o + V + 3, 0) - d[g + 9] - d[g + 6]);
@@ -103,7 +103,7 @@ final class TrapezoidalCorrection {
         double[] root = s.root;
         int k = (i + 1) * SolverBodies.ROOT;
         double[] v = s.state;
-        double[] w = s.glide;
+        double[] w = s.motion;
         for (int c = 0; c < 3; c++) {
             w[g + c] =
                     root[k + 9 + c] * (root[k + c] * x + root[k + 3 + c] * y + root[k + 6 + c] * z);
@@ -141,8 +141,8 @@ final class TrapezoidalCorrection {
         int o = SolverBodies.offset(i);
         int t1 = r + ConstraintRows.TANGENT1 * lanes;
         int t2 = r + ConstraintRows.TANGENT2 * lanes;
-        double b1 = RowArithmetic.dot(d, t1, lanes, s.glide, MotionRecord.STRIDE * i);
-        double b2 = RowArithmetic.dot(d, t2, lanes, s.glide, MotionRecord.STRIDE * i);
+        double b1 = RowArithmetic.dot(d, t1, lanes, s.motion, MotionRecord.STRIDE * i);
+        double b2 = RowArithmetic.dot(d, t2, lanes, s.motion, MotionRecord.STRIDE * i);
         double a1 = RowArithmetic.dot(d, t1, lanes, v, o + V);
         double a2 = RowArithmetic.dot(d, t2, lanes, v, o + V);
         double before = b1 * b1 + b2 * b2;

@@ -39,25 +39,25 @@ final class LaneFriction implements LaneKernels.Friction {
     private static final int WANTED = SLIDE + 10 * L;
 
     @Override
-    public boolean rub(ConstraintRows rows, int from, int to, double[] st, int g, int marks) {
+    public boolean solve(ConstraintRows rows, int from, int to, double[] st, int g, int marks) {
         boolean again = false;
         double[] d = rows.doubles;
         for (int j = from; j < to; j += L, g += L) {
             int points = rows.points[j / L];
             int o = START + j * FIELDS;
-            if (st[IDLE + g] != 0 || !rows.rough[j / L]) {
-                DoubleVector.zero(S).intoArray(st, RUBS + g);
+            if (st[IDLE + g] != 0 || !rows.hasFriction[j / L]) {
+                DoubleVector.zero(S).intoArray(st, SLIDES + g);
                 continue;
             }
-            again |= rub(d, o, st, g, points, marks);
+            again |= solve(d, o, st, g, points, marks);
         }
         return again;
     }
 
     /** In steps that are small enough for the compiler; they hand numbers on in scratch. */
-    private static boolean rub(double[] d, int o, double[] st, int g, int points, int marks) {
+    private static boolean solve(double[] d, int o, double[] st, int g, int points, int marks) {
         if (!press(d, o, st, points)) {
-            DoubleVector.zero(S).intoArray(st, RUBS + g);
+            DoubleVector.zero(S).intoArray(st, SLIDES + g);
             return false;
         }
         boolean again = mark(d, o, st, g, marks);
@@ -105,7 +105,7 @@ final class LaneFriction implements LaneKernels.Friction {
         var cold = DoubleVector.fromArray(S, d, o + COLD * L);
         cold = cold.blend(DoubleVector.fromArray(S, st, marks + g), stale);
         cold.intoArray(d, o + COLD * L);
-        var rubs =
+        var slides =
                 cold.compare(VectorOperators.GT, 0.0)
                         .and(
                                 DoubleVector.fromArray(S, st, marks + g)
@@ -116,8 +116,8 @@ final class LaneFriction implements LaneKernels.Friction {
                                         .compare(VectorOperators.GT, 0.0));
         var active = DoubleVector.fromArray(S, st, marks + g);
         active.intoArray(st, ACTIVE);
-        DoubleVector.zero(S).blend(1.0, rubs).intoArray(st, RUBS + g);
-        return rubs.anyTrue();
+        DoubleVector.zero(S).blend(1.0, slides).intoArray(st, SLIDES + g);
+        return slides.anyTrue();
     }
 
     /** The twist that would stop the spin. */
@@ -372,10 +372,10 @@ final class LaneFriction implements LaneKernels.Friction {
                                 slide.mul(9.0)
                                         .add(rim.mul(rim).mul(16.0))
                                         .compare(VectorOperators.LE, l2.mul(9.0)));
-        var rubs = limit.compare(VectorOperators.GT, 0.0);
+        var hasFriction = limit.compare(VectorOperators.GT, 0.0);
         limit.div(mass.mul(give).add(limit))
                 .blend(1.0, holds)
-                .blend(0.0, rubs.not())
+                .blend(0.0, hasFriction.not())
                 .intoArray(st, SLIDE_SHARE);
         whole.div(inertia.mul(give).add(whole).add(PatchFriction.LEAST))
                 .blend(1.0, holds.and(bound.compare(VectorOperators.GT, 0.0)))

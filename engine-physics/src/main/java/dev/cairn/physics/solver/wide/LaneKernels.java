@@ -74,7 +74,7 @@ final class LaneKernels {
          *
          * @return whether a lane without a warm start presses, and so needs another round
          */
-        boolean rub(ConstraintRows rows, int from, int to, double[] st, int g, int marks);
+        boolean solve(ConstraintRows rows, int from, int to, double[] st, int g, int marks);
 
         /** Adds the impulses of the sub-step to those of the tick, in busy groups. */
         void total(ConstraintRows rows, int from, int to, double[] st, int g);

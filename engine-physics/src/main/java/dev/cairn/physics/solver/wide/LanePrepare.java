@@ -48,7 +48,7 @@ final class LanePrepare implements RowFiller {
                                 + RowPrefetch.rows(rows, j + L, j + 2 * L));
             }
             int n = 0;
-            boolean rough = false;
+            boolean hasFriction = false;
             for (int l = 0; l < L; l++) {
                 int count = rows.link[(j + l) * LINK + COUNT];
                 if (count == 0) {
@@ -57,15 +57,15 @@ final class LanePrepare implements RowFiller {
                 }
                 int source = rows.link[(j + l) * LINK + SOURCE];
                 n = Math.max(n, count);
-                rough |= contacts.friction(source) > 0;
+                hasFriction |= contacts.friction(source) > 0;
                 LaneStaging.stage(rows, bodies, contacts, sub, j + l, source, st, l, L);
             }
             n = n == 3 ? 4 : n; // the kernels sweep one, two or four points
             rows.points[j / L] = n;
-            rows.rough[j / L] = rough;
+            rows.hasFriction[j / L] = hasFriction;
             basis(d, o, st);
             points(d, o, st, n, scale);
-            if (rough) {
+            if (hasFriction) {
                 centre(d, o, st, n);
                 block(d, o, st);
                 warm(d, o, st, scale);
@@ -315,7 +315,7 @@ final class LanePrepare implements RowFiller {
         dot(d, v + 3 * L, v + 3 * L, v + 9 * L, v + 9 * L, st, (DOTS + 1) * L);
         dot(d, v, v + 3 * L, v + 6 * L, v + 9 * L, st, (DOTS + 2) * L);
         dot(d, t, t, t + 3 * L, t + 3 * L, st, (DOTS + 3) * L);
-        var rubs = DoubleVector.fromArray(S, st, MU * L).compare(VectorOperators.GT, 0.0);
+        var hasFriction = DoubleVector.fromArray(S, st, MU * L).compare(VectorOperators.GT, 0.0);
         var k12 =
                 DoubleVector.fromArray(S, st, (DOTS + 2) * L)
                         .add(DoubleVector.fromArray(S, st, (DOTS + 6) * L));
@@ -332,15 +332,15 @@ final class LanePrepare implements RowFiller {
         var one = DoubleVector.broadcast(S, 1.0);
         var det = one.div(k11.mul(k22).sub(k12.mul(k12)));
         int k = o + BLOCK * L;
-        zero.blend(k22.mul(det), rubs).intoArray(d, k);
-        zero.blend(k12.neg().mul(det), rubs).intoArray(d, k + L);
-        zero.blend(k11.mul(det), rubs).intoArray(d, k + 2 * L);
+        zero.blend(k22.mul(det), hasFriction).intoArray(d, k);
+        zero.blend(k12.neg().mul(det), hasFriction).intoArray(d, k + L);
+        zero.blend(k11.mul(det), hasFriction).intoArray(d, k + 2 * L);
         var twist =
                 DoubleVector.fromArray(S, st, (DOTS + 3) * L)
                         .add(DoubleVector.fromArray(S, st, (DOTS + 7) * L));
         var turns =
                 twist.compare(VectorOperators.GT, 0.0)
-                        .and(rubs)
+                        .and(hasFriction)
                         .and(
                                 DoubleVector.fromArray(S, st, POINTS * L)
                                         .compare(VectorOperators.GT, 1.0));
@@ -370,7 +370,7 @@ final class LanePrepare implements RowFiller {
         var x = DoubleVector.fromArray(S, st, OLD * L).mul(scale);
         var y = DoubleVector.fromArray(S, st, (OLD + 1) * L).mul(scale);
         var z = DoubleVector.fromArray(S, st, (OLD + 2) * L).mul(scale);
-        var rubs = DoubleVector.fromArray(S, st, MU * L).compare(VectorOperators.GT, 0.0);
+        var hasFriction = DoubleVector.fromArray(S, st, MU * L).compare(VectorOperators.GT, 0.0);
         int l = o + LAMBDA * L;
         for (int k = 0; k < 2; k++) {
             int t = o + (TANGENT1 + 3 * k) * L;
@@ -379,7 +379,7 @@ final class LanePrepare implements RowFiller {
                             .add(y.mul(DoubleVector.fromArray(S, d, t + L)))
                             .add(z.mul(DoubleVector.fromArray(S, d, t + 2 * L)))
                             .add(0.0);
-            DoubleVector.zero(S).blend(along, rubs).intoArray(d, l + k * L);
+            DoubleVector.zero(S).blend(along, hasFriction).intoArray(d, l + k * L);
         }
         var twist = DoubleVector.fromArray(S, st, (OLD + 3) * L).mul(scale).add(0.0);
         var turns =

@@ -46,7 +46,7 @@ final class LaneStaging {
     /** Squares and product of the levers of A, square of its twist; then of B. */
     static final int DOTS = 90;
 
-    /** How far from the patch's middle a point rubs, over its own distance. */
+    /** How far from the patch's middle friction acts at a point, over its own distance. */
     static final int SHARE = 98;
 
     /** What came of the look ahead: nobody reads it. */
@@ -90,7 +90,7 @@ final class LaneStaging {
         copy(bodies.root, (b >> 4) * SolverBodies.ROOT, 9, st, ROOT_B * lanes + l, lanes);
         copy(bodies.warm, a >> 1, 6, st, WARM_A * lanes + l, lanes);
         copy(bodies.warm, b >> 1, 6, st, WARM_B * lanes + l, lanes);
-        boolean unloaded = rows.settleMark[j] != 0;
+        boolean settles = rows.settleMark[j] != 0;
         int first = ContactStore.POINTS * source;
         for (int i = 0; i < ContactStore.POINTS; i++) {
             // a point that is not there stands at the first, with nothing in it
@@ -103,7 +103,7 @@ final class LaneStaging {
             }
             st[q + 6 * lanes] = there ? c.separation[p] : 0;
             st[q + 7 * lanes] = there ? c.normalImpulse[p] : 0;
-            st[q + 8 * lanes] = there && !unloaded ? c.preload[p] : 0;
+            st[q + 8 * lanes] = there && !settles ? c.preload[p] : 0;
         }
         st[OLD * lanes + l] = c.frictionImpulseX(source);
         st[(OLD + 1) * lanes + l] = c.frictionImpulseY(source);

@@ -37,7 +37,7 @@ final class LaneStore implements RowStore {
     private static final int KNOWN = PACKED + 4 * L;
 
     /** World friction impulse, and twist. */
-    private static final int RUBS = PACKED + 8 * L;
+    private static final int TANGENTIAL = PACKED + 8 * L;
 
     /** 1 in a lane whose surfaces do not slip; speed of separation without the turns. */
     private static final int RESTS = PACKED + 12 * L;
@@ -70,7 +70,7 @@ final class LaneStore implements RowStore {
         for (int j = from, g = 0; j < to; j += L, g += L) {
             int points = rows.points[j / L];
             int o = START + j * FIELDS;
-            rub(d, o, st);
+            friction(d, o, st);
             if (gain > 0) {
                 stage(rows, contacts, j, st);
                 slip(d, o, st, g, still);
@@ -85,15 +85,15 @@ final class LaneStore implements RowStore {
     }
 
     /** Friction impulses in world axes, see {@link StoreRow}. */
-    private static void rub(double[] d, int o, double[] st) {
+    private static void friction(double[] d, int o, double[] st) {
         var f1 = DoubleVector.fromArray(S, d, o + LAMBDA * L);
         var f2 = DoubleVector.fromArray(S, d, o + (LAMBDA + 1) * L);
         for (int axis = 0; axis < 3; axis++) {
             f1.mul(DoubleVector.fromArray(S, d, o + (TANGENT1 + axis) * L))
                     .add(f2.mul(DoubleVector.fromArray(S, d, o + (TANGENT2 + axis) * L)))
-                    .intoArray(st, RUBS + axis * L);
+                    .intoArray(st, TANGENTIAL + axis * L);
         }
-        DoubleVector.fromArray(S, d, o + (LAMBDA + 2) * L).intoArray(st, RUBS + 3 * L);
+        DoubleVector.fromArray(S, d, o + (LAMBDA + 2) * L).intoArray(st, TANGENTIAL + 3 * L);
     }
 
     /** Copies the separations at the start of the tick into lanes; 0 where there is no contact. */
@@ -125,8 +125,9 @@ final class LaneStore implements RowStore {
         var s1 = DoubleVector.fromArray(S, st, SLIPS);
         var s2 = DoubleVector.fromArray(S, st, SLIPS + L);
         var slip = s1.mul(s1).add(s2.mul(s2));
-        var rubs = DoubleVector.fromArray(S, d, o + FRICTION * L).compare(VectorOperators.GT, 0.0);
-        var speed = DoubleVector.zero(S).blend(slip.sqrt(), rubs);
+        var hasFriction =
+                DoubleVector.fromArray(S, d, o + FRICTION * L).compare(VectorOperators.GT, 0.0);
+        var speed = DoubleVector.zero(S).blend(slip.sqrt(), hasFriction);
         DoubleVector.zero(S)
                 .blend(1.0, speed.compare(VectorOperators.LT, still))
                 .intoArray(st, RESTS);
@@ -242,7 +243,11 @@ final class LaneStore implements RowStore {
         double[] d = rows.doubles;
         int source = rows.link[j * LINK + SOURCE];
         c.setFrictionImpulse(
-                source, st[RUBS + l], st[RUBS + L + l], st[RUBS + 2 * L + l], st[RUBS + 3 * L + l]);
+                source,
+                st[TANGENTIAL + l],
+                st[TANGENTIAL + L + l],
+                st[TANGENTIAL + 2 * L + l],
+                st[TANGENTIAL + 3 * L + l]);
         int first = ContactStore.POINTS * source;
         int count = rows.link[j * LINK + COUNT];
         for (int i = 0; i < count; i++) {

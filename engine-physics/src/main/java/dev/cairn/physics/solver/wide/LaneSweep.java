@@ -5,7 +5,7 @@ import static dev.cairn.physics.solver.kernel.CommonStep.NONE;
 import static dev.cairn.physics.solver.kernel.CommonStep.SOFT;
 import static dev.cairn.physics.solver.row.Scratch.LANDS;
 import static dev.cairn.physics.solver.row.Scratch.ONES;
-import static dev.cairn.physics.solver.row.Scratch.RUBS;
+import static dev.cairn.physics.solver.row.Scratch.SLIDES;
 
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.kernel.Sweep;
@@ -57,7 +57,7 @@ final class LaneSweep implements Sweep {
         bodies.gather(body, rows.link, from, to, st);
         normals.begin(rows, from, to, st, 0);
         normals.soften(rows, from, to, st, 0, sub, ONES);
-        int more = sub.landing - sub.sweeps;
+        int more = sub.landingSweeps - sub.sweeps;
         if (sweep(rows, from, to, st, 0, sub.sweeps, SOFT) && more > 0) {
             for (int j = from; j < to; j += lanes) {
                 int g = j - from;
@@ -91,13 +91,13 @@ final class LaneSweep implements Sweep {
                 int g = j - from;
                 if (any(st, LANDS + g)) {
                     normals.harden(rows, j, j + lanes, st, g, sub, LANDS);
-                    sweep(rows, j, j + lanes, st, g, sub.landing - sub.sweeps, NONE);
+                    sweep(rows, j, j + lanes, st, g, sub.landingSweeps - sub.sweeps, NONE);
                 }
             }
         }
-        if (friction.rub(rows, from, to, st, 0, ONES)) {
+        if (friction.solve(rows, from, to, st, 0, ONES)) {
             for (int j = from; j < to; j += lanes) {
-                rubMore(rows, sub, j, st, j - from);
+                moreFriction(rows, sub, j, st, j - from);
             }
         }
         friction.total(rows, from, to, st, 0);
@@ -121,13 +121,13 @@ final class LaneSweep implements Sweep {
     }
 
     /** Friction without a warm start has its normals still to agree with. */
-    private void rubMore(ConstraintRows rows, SubStep sub, int j, double[] st, int g) {
+    private void moreFriction(ConstraintRows rows, SubStep sub, int j, double[] st, int g) {
         int end = j + lanes;
-        boolean again = any(st, RUBS + g);
+        boolean again = any(st, SLIDES + g);
         for (int round = 1; again && round < sub.coldRounds; round++) {
-            normals.harden(rows, j, end, st, g, sub, RUBS);
-            sweep(rows, j, end, st, g, sub.landing, NONE);
-            again = friction.rub(rows, j, end, st, g, RUBS);
+            normals.harden(rows, j, end, st, g, sub, SLIDES);
+            sweep(rows, j, end, st, g, sub.landingSweeps, NONE);
+            again = friction.solve(rows, j, end, st, g, SLIDES);
         }
     }
 

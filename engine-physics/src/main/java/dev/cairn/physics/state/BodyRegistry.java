@@ -28,7 +28,7 @@ import java.util.Arrays;
  * rows leave in that tick; then it is free. Free slots are used again last freed first, which is
  * part of the deterministic state.
  */
-public final class Roster implements Stateful {
+public final class BodyRegistry implements Stateful {
     public final BodyStore bodies = new BodyStore();
     public final ColliderStore colliders = new ColliderStore(bodies);
     public final PairFilter pairFilter = new PairFilter(colliders);
@@ -59,7 +59,7 @@ public final class Roster implements Stateful {
     private boolean listsStale;
 
     /** How often {@link #sweep} ran: entities may have moved between chunks since. */
-    public long rosters;
+    public long revision;
 
     private int[] free = new int[16];
     private int freeCount;
@@ -79,14 +79,14 @@ public final class Roster implements Stateful {
     private @Nullable World world;
 
     /**
-     * An empty roster.
+     * An empty registry.
      *
      * @param tuning numbers of the step
      * @param sleeping whether bodies at rest fall asleep
      * @param sleepSeconds after what time
      * @param edges all that binds bodies
      */
-    public Roster(Tuning tuning, boolean sleeping, double sleepSeconds, EdgeSource[] edges) {
+    public BodyRegistry(Tuning tuning, boolean sleeping, double sleepSeconds, EdgeSource[] edges) {
         bounds = new BoundsStage(colliders, tuning);
         this.edges = edges;
         sleepers = new Sleepers(sleeping, sleepSeconds, bodies, edges);
@@ -114,7 +114,7 @@ public final class Roster implements Stateful {
         if (s.isRestoring()) {
             ensureSlots(slots);
             listsStale = true;
-            rosters++;
+            revision++;
             places++;
         }
         pairFilter.state(s);
@@ -122,7 +122,7 @@ public final class Roster implements Stateful {
         bounds.state(s, slots);
         sleepers.state(s, slots);
         motion.state(s, slots);
-        s.section("roster", this);
+        s.section("registry", this);
         comX = s.array("comX", comX, slots);
         comY = s.array("comY", comY, slots);
         comZ = s.array("comZ", comZ, slots);
@@ -263,7 +263,7 @@ public final class Roster implements Stateful {
                             + "] that is not its own; bodies are made by PhysicsWorld.add, do not"
                             + " add RigidBody by hand");
         }
-        seen[slot] = rosters + 1;
+        seen[slot] = revision + 1;
     }
 
     /**
@@ -271,10 +271,10 @@ public final class Roster implements Stateful {
      * {@link #freeGone}. After {@link #see} for all that are there.
      */
     public void sweep() {
-        rosters++;
+        revision++;
         for (int slot = 0; slot < bodies.slotCount; slot++) {
             byte kind = bodies.kind[slot];
-            if (kind != BodyStore.FREE && kind != BodyStore.STATIC && seen[slot] != rosters) {
+            if (kind != BodyStore.FREE && kind != BodyStore.STATIC && seen[slot] != revision) {
                 leave(slot);
             }
         }

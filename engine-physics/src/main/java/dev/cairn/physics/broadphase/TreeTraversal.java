@@ -9,14 +9,14 @@ import java.util.Arrays;
  *
  * <p>One thread; the tree must not change meanwhile. Allocates only while the stack grows.
  */
-public abstract sealed class TreeWalk permits BoxWalk, RayWalk {
+public abstract sealed class TreeTraversal permits BoxTraversal, RayTraversal {
     private int[] nodes = new int[64];
     private double[] entries = new double[64];
     private int top;
     private AabbTree tree = new AabbTree();
 
     /** Over an empty tree. */
-    TreeWalk() {}
+    TreeTraversal() {}
 
     /**
      * When a box is entered.

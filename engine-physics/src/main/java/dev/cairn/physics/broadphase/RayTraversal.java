@@ -1,18 +1,18 @@
 package dev.cairn.physics.broadphase;
 
 /**
- * Leaves by the distance after which a moving box enters theirs; see {@link TreeWalk}.
+ * Leaves by the distance after which a moving box enters theirs; see {@link TreeTraversal}.
  *
  * <p>The moving box is shrunk to a point and the leaf grown by it, and the ray that is left is
  * clipped against three slabs (Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986). Leaves
  * are taken larger by what rounding may take away.
  */
-public final class RayWalk extends TreeWalk {
+public final class RayTraversal extends TreeTraversal {
     private final double[] box = new double[6];
     private final double[] direction = new double[3];
 
     /** Without a ray. */
-    public RayWalk() {}
+    public RayTraversal() {}
 
     /**
      * Begins.

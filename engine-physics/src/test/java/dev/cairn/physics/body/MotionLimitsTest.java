@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import java.util.Random;
 
 /** Gravity scale, damping, locks and limits of speed against closed forms. */
-class RestraintTest {
+class MotionLimitsTest {
     private static final double TICK = 1.0 / 60;
     private static final double G = 9.81;
     private static final long SEED = 20261122;

@@ -4,8 +4,8 @@ import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.shape.mesh.TriangleSet;
 
 /** Names of corners and edges that do not depend on the triangle that tells them. Stateless. */
-final class TriangleNames {
-    private TriangleNames() {}
+final class TriangleFeatures {
+    private TriangleFeatures() {}
 
     /** The name that a feature has in all triangles that share it. */
     static int shared(TriangleSet set, int t, int feature) {

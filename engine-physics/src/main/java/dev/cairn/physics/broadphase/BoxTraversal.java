@@ -1,11 +1,11 @@
 package dev.cairn.physics.broadphase;
 
-/** Leaves by their distance from a box; see {@link TreeWalk}. */
-public final class BoxWalk extends TreeWalk {
+/** Leaves by their distance from a box; see {@link TreeTraversal}. */
+public final class BoxTraversal extends TreeTraversal {
     private final double[] from = new double[6];
 
     /** Without a box. */
-    public BoxWalk() {}
+    public BoxTraversal() {}
 
     /**
      * Begins.
