@@ -1,10 +1,7 @@
 package dev.cairn.physics.internal;
 
 import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.Capsule;
-import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Moved;
@@ -12,6 +9,8 @@ import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.physics.shape.mesh.Meshed;
+import dev.cairn.physics.shape.revolution.Discs;
+import dev.cairn.physics.shape.revolution.Revolved;
 
 /**
  * What the surface of a collider is made of, as far as it matters to who computes with contacts.
@@ -54,7 +53,7 @@ public final class Surface {
             case Moved moved -> of(moved.inner());
             case Box box -> CORNERED;
             case ConvexHull hull -> CORNERED;
-            case Cone cone -> TIPPED;
+            case Revolved turned when Discs.of(turned).hasTip() -> TIPPED;
             case HalfSpace plane -> PLANE;
             case TriangleMesh mesh -> CORNERED;
             case HeightField field -> CORNERED;
@@ -92,8 +91,7 @@ public final class Surface {
      */
     public static void revolution(Shape shape, double[] dest, int at) {
         Shape inner = unmoved(shape);
-        boolean isTurned =
-                inner instanceof Capsule || inner instanceof Cylinder || inner instanceof Cone;
+        boolean isTurned = inner instanceof Revolved;
         double x = 0;
         double y = isTurned ? 1 : 0;
         double z = 0;
@@ -110,7 +108,7 @@ public final class Surface {
         dest[at] = x;
         dest[at + 1] = y;
         dest[at + 2] = z;
-        dest[at + 3] = inner instanceof Capsule c ? c.radius() : 0;
+        dest[at + 3] = inner instanceof Revolved solid ? Discs.of(solid).round : 0;
     }
 
     /**

@@ -1,16 +1,20 @@
 package dev.cairn.physics.shape;
 
+import dev.cairn.physics.shape.revolution.Discs;
+import dev.cairn.physics.shape.revolution.Revolved;
+
 import org.joml.Vector3d;
 
 /**
  * All points within a radius of a segment: a cylinder with round ends. The segment lies along the y
  * axis of the shape frame, its middle at the origin.
  */
-public final class Capsule implements Shape {
+public final class Capsule extends Revolved implements Shape {
     /** m. */
     private final double radius, halfLength;
 
     private Capsule(double radius, double halfLength) {
+        super(new Discs(-halfLength, 0, halfLength, 0, radius));
         this.radius = radius;
         this.halfLength = halfLength;
     }

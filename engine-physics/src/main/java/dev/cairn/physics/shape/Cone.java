@@ -1,16 +1,20 @@
 package dev.cairn.physics.shape;
 
+import dev.cairn.physics.shape.revolution.Discs;
+import dev.cairn.physics.shape.revolution.Revolved;
+
 import org.joml.Vector3d;
 
 /**
  * A round cone along the y axis of the shape frame, its apex up. The origin is midway between apex
  * and base; the centre of mass lies a quarter of the height above the base.
  */
-public final class Cone implements Shape {
+public final class Cone extends Revolved implements Shape {
     /** m. */
     private final double radius, halfHeight;
 
     private Cone(double radius, double halfHeight) {
+        super(new Discs(-(0.5 * halfHeight), radius, 1.5 * halfHeight, 0, 0));
         this.radius = radius;
         this.halfHeight = halfHeight;
     }

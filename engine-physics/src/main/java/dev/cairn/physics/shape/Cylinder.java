@@ -1,13 +1,17 @@
 package dev.cairn.physics.shape;
 
+import dev.cairn.physics.shape.revolution.Discs;
+import dev.cairn.physics.shape.revolution.Revolved;
+
 import org.joml.Vector3d;
 
 /** A round cylinder along the y axis of the shape frame, its middle at the origin. */
-public final class Cylinder implements Shape {
+public final class Cylinder extends Revolved implements Shape {
     /** m. */
     private final double radius, halfHeight;
 
     private Cylinder(double radius, double halfHeight) {
+        super(new Discs(-halfHeight, radius, halfHeight, radius, 0));
         this.radius = radius;
         this.halfHeight = halfHeight;
     }

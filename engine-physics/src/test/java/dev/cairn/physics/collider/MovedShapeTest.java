@@ -14,8 +14,10 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.physics.support.Scenes;
 
 import org.joml.Quaterniond;
@@ -24,6 +26,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
 
 /**
@@ -103,7 +107,16 @@ class MovedShapeTest {
 
     @Test
     void aMoveThatChangesNothingIsTheShapeItself() {
-        for (Shape shape : Scenes.kinds()) {
+        List<Shape> all = new ArrayList<>(List.of(Scenes.kinds()));
+        all.add(HeightField.of(2, 2, 1, 1, new double[] {0, 1, 2, 0}));
+        all.add(TriangleMesh.of(new double[] {0, 0, 0, 0, 0, 1, 1, 0, 0}, new int[] {0, 1, 2}));
+        for (Class<?> kind : Shape.class.getPermittedSubclasses()) {
+            // a half-space has no place in a body
+            assertTrue(
+                    kind == HalfSpace.class || all.stream().anyMatch(kind::isInstance),
+                    kind.getSimpleName());
+        }
+        for (Shape shape : all) {
             assertSame(shape, shape.moved(0, 0, 0, new Quaterniond()));
         }
     }

@@ -2,16 +2,14 @@ package dev.cairn.physics.narrowphase.pair;
 
 import dev.cairn.physics.internal.MovedTurn;
 import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.Capsule;
-import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.polyhedron.Polyhedral;
 import dev.cairn.physics.shape.polyhedron.Polyhedron;
+import dev.cairn.physics.shape.revolution.Revolved;
 
 /**
  * How far one shape reaches along directions of the world, its support function, and whether it
@@ -46,9 +44,7 @@ public final class Reach {
         return shape instanceof Box
                 || shape instanceof ConvexHull
                 || shape instanceof Sphere
-                || shape instanceof Capsule
-                || shape instanceof Cylinder
-                || shape instanceof Cone
+                || shape instanceof Revolved
                 || shape instanceof HalfSpace;
     }
 

@@ -1,9 +1,8 @@
 package dev.cairn.physics.narrowphase.pair;
 
-import dev.cairn.physics.shape.Capsule;
-import dev.cairn.physics.shape.Cone;
-import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.revolution.Discs;
+import dev.cairn.physics.shape.revolution.Revolved;
 
 /**
  * The core of a round shape: the convex hull of two discs about the y axis, relative to the centre
@@ -33,25 +32,18 @@ public final class SolidOfRevolution {
     /** Takes over a ball, capsule, cylinder or cone; false for other shapes. */
     boolean set(Shape shape) {
         count = 0;
-        round = 0;
-        lowRadius = 0;
-        highRadius = 0;
-        if (shape instanceof Capsule capsule) {
-            high = capsule.halfLength();
-            low = -high;
-            round = capsule.radius();
-        } else if (shape instanceof Cylinder cylinder) {
-            high = cylinder.halfHeight();
-            low = -high;
-            lowRadius = cylinder.radius();
-            highRadius = lowRadius;
-        } else if (shape instanceof Cone cone) {
-            high = cone.apexAbove();
-            low = -cone.baseBelow();
-            lowRadius = cone.radius();
+        if (shape instanceof Revolved revolved) {
+            Discs discs = Discs.of(revolved);
+            low = discs.low;
+            high = discs.high;
+            lowRadius = discs.lowRadius;
+            highRadius = discs.highRadius;
+            round = discs.round;
         } else {
-            high = 0;
             low = 0;
+            high = 0;
+            lowRadius = 0;
+            highRadius = 0;
             round = shape.outerRadius();
         }
         double rise = high - low;
