@@ -36,20 +36,11 @@ public final class Bouncers {
     private int[] bouncing = {};
     private int count;
 
-    /** By slot: the last tick, counted here, in which a contact of the body had restitution. */
-    private int[] last = {};
-
-    private int tick;
-
     /** By smallest slot of an island: its contacts with restitution. */
     private int[] tally = {};
 
-    void begin(int contacts, int slots) {
+    void begin(int contacts) {
         count = 0;
-        tick++;
-        if (last.length < slots) {
-            last = Arrays.copyOf(last, Math.max(slots, last.length + (last.length >> 1)));
-        }
         if (bouncing.length < contacts) {
             bouncing =
                     new int
@@ -62,22 +53,8 @@ public final class Bouncers {
     }
 
     /** Contact {@code m} of the list bounces; in ascending order. */
-    void add(EdgeList list, int m) {
+    void add(int m) {
         bouncing[count++] = m;
-        mark(list.slotA[m]);
-        mark(list.slotB[m]);
-    }
-
-    /** What does not move has no slot. */
-    private void mark(int slot) {
-        if (slot >= 0) {
-            last[slot] = tick;
-        }
-    }
-
-    /** Whether a contact of the body has restitution. */
-    public boolean isBouncing(int slot) {
-        return last[slot] == tick;
     }
 
     /** Sorts them by batch. */

@@ -358,10 +358,10 @@ public final class Collector implements Stateful {
     }
 
     private void listBouncers() {
-        bouncers.begin(list.contacts, slots);
+        bouncers.begin(list.contacts);
         for (int m = 0; m < list.contacts; m++) {
             if (bounces[m]) {
-                bouncers.add(list, m);
+                bouncers.add(m);
             }
         }
         bouncers.sort(list, batches);
