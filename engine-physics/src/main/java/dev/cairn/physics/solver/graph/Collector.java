@@ -60,6 +60,7 @@ public final class Collector implements Stateful {
     private BodyStore bodies = new BodyStore();
     private ContactStore contacts = new ContactStore();
     private EdgeList list = new EdgeList();
+    private final ColourCheck check = new ColourCheck();
     private int slots;
     private int workers;
     private boolean stacked;
@@ -140,6 +141,8 @@ public final class Collector implements Stateful {
         if (isAnew || !sameColours || !sameVariants) {
             colouring.finish(list, batches);
             link();
+            assert check.areDisjoint(colouring, list, colouring.firstColour[batches.divider], slots)
+                    : "a colour has two edges of one body";
         }
         return stacked;
     }
