@@ -74,6 +74,34 @@ public final class View {
     }
 
     /**
+     * Draws a line as {@link #line} does, but as well where something is in front of it.
+     *
+     * @param ax world frame, m
+     * @param ay same
+     * @param az same
+     * @param bx other end
+     * @param by same
+     * @param bz same
+     * @param rgb 0xRRGGBB in sRGB
+     * @param width logical pixels
+     */
+    public void lineOver(
+            double ax,
+            double ay,
+            double az,
+            double bx,
+            double by,
+            double bz,
+            int rgb,
+            double width) {
+        if (lines != null) {
+            lines.hidden(1);
+            lines.line(ax, ay, az, bx, by, bz, rgb, width);
+            lines.hidden(DebugLines.HIDDEN);
+        }
+    }
+
+    /**
      * What is drawn at a place in the picture.
      *
      * @param across -1 at the left edge, 1 at the right edge

@@ -57,6 +57,7 @@ final class WindowInput {
     private static final double FAST_FACTOR = 5;
     private static final double TURN_RADIANS_PER_SECOND = 1.2;
     private static final double LOOK_RADIANS_PER_PIXEL = 0.0025;
+    private static final int SHIFT = 1;
     private static final int CONTROL = 2;
     private static final int REPEAT = 2;
 
@@ -125,7 +126,7 @@ final class WindowInput {
         glfwSetKeyCallback(
                 window, (w, key, scan, action, mods) -> note(KEY, key, action | mods << 2, 0, 0));
         glfwSetMouseButtonCallback(
-                window, (w, button, action, mods) -> note(BUTTON, button, action, 0, 0));
+                window, (w, button, action, mods) -> note(BUTTON, button, action | mods << 2, 0, 0));
         glfwSetScrollCallback(window, (w, x, y) -> note(WHEEL, 0, 0, x, y));
         glfwSetCursorPosCallback(window, (w, x, y) -> note(CURSOR, 0, 0, x, y));
         glfwSetCharCallback(window, (w, letter) -> note(LETTER, letter, 0, 0, 0));
@@ -203,9 +204,13 @@ final class WindowInput {
             case BUTTON -> {
                 tellMove(panels); // whoever acts on the press finds the mouse where it was then
                 MouseButton button = MouseButton.ofCode(code[i]);
-                boolean down = detail[i] == GLFW_PRESS;
+                boolean down = (detail[i] & 3) == GLFW_PRESS;
                 if (!down && pressedNow.contains(button)) {
                     return false;
+                }
+                if (down) {
+                    int mods = detail[i] >> 2;
+                    pointer.modifiers((mods & SHIFT) != 0, (mods & CONTROL) != 0);
                 }
                 button(button, down, panels, pixelsPerPoint);
                 clicked = true;

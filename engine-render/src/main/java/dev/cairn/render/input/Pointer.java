@@ -15,6 +15,8 @@ public final class Pointer {
     private double upwards;
     private boolean overPanel;
     private boolean turning;
+    private boolean withShift;
+    private boolean withControl;
 
     /** A pointer in the middle. */
     public Pointer() {}
@@ -54,6 +56,35 @@ public final class Pointer {
         } else {
             down.remove(button);
         }
+    }
+
+    /**
+     * Called by the window with each press.
+     *
+     * @param shift whether a Shift key is held
+     * @param control whether a Ctrl key is held
+     */
+    public void modifiers(boolean shift, boolean control) {
+        withShift = shift;
+        withControl = control;
+    }
+
+    /**
+     * Whether a Shift key was held at the last press of a button.
+     *
+     * @return true if so
+     */
+    public boolean isWithShift() {
+        return withShift;
+    }
+
+    /**
+     * Whether a Ctrl key was held at the last press of a button.
+     *
+     * @return true if so
+     */
+    public boolean isWithControl() {
+        return withControl;
     }
 
     /** Called by the window when it loses the focus. */

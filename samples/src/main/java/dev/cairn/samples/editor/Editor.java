@@ -3,16 +3,13 @@ package dev.cairn.samples.editor;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
-import dev.cairn.samples.scenefile.SceneFileException;
 import dev.cairn.samples.scenefile.Xyz;
+import dev.cairn.samples.scenefile.edit.GroupEdit;
 import dev.cairn.samples.scenefile.edit.SceneEdit;
 import dev.cairn.samples.scenefile.edit.SceneHistory;
 
 import org.jspecify.annotations.Nullable;
 
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
@@ -37,17 +34,16 @@ public final class Editor {
     /** {@link #selected} while nothing is. */
     public static final int NOTHING = -1;
 
-    /** Distance between an entity and its duplicate along x, beside its own width, m. */
-    private static final double GAP = 0.1;
 
     private final Stage stage;
     private volatile Mode mode = Mode.CLOSED;
     private final SceneDocument document = new SceneDocument();
     private final EditorJoints joints = new EditorJoints(this);
-    private int selected = NOTHING;
+    private final EditorFiles files = new EditorFiles(this, document);
+    private final Selection selection = new Selection();
+    private final EditorGroup group = new EditorGroup(this, selection);
     private String message = "";
     private boolean wrong;
-    private String confirming = "";
     private int edits;
 
     /**
@@ -112,7 +108,26 @@ public final class Editor {
      * @return the place in the list, or {@link #NOTHING}
      */
     public int selected() {
-        return selected;
+        return selection.primary();
+    }
+
+    /**
+     * All that is selected.
+     *
+     * @return places in the list, the one chosen last at the end; not to be changed
+     */
+    public int[] selection() {
+        return selection.all();
+    }
+
+    /**
+     * Whether an entity is one of those selected.
+     *
+     * @param index its place in the list
+     * @return true if so
+     */
+    public boolean isSelected(int index) {
+        return selection.holds(index);
     }
 
     /**
@@ -121,7 +136,7 @@ public final class Editor {
      * @return the entity, or null
      */
     public @Nullable EntitySpec selectedEntity() {
-        return selected == NOTHING ? null : scene().entities().get(selected);
+        return selected() == NOTHING ? null : scene().entities().get(selected());
     }
 
     /**
@@ -131,6 +146,24 @@ public final class Editor {
      */
     public EditorJoints joints() {
         return joints;
+    }
+
+    /**
+     * What is done to all that is selected.
+     *
+     * @return the same object each time
+     */
+    public EditorGroup group() {
+        return group;
+    }
+
+    /**
+     * Saving and loading.
+     *
+     * @return the same object each time
+     */
+    public EditorFiles files() {
+        return files;
     }
 
     /**
@@ -190,9 +223,9 @@ public final class Editor {
      * @param relativeTo what its paths are relative to
      */
     public void openCopy(SceneFile scene, Path relativeTo) {
-        if (isChanged() && !confirmed("copy")) {
+        if (isChanged() && !files.confirmed("copy")) {
             open();
-            confirming = "copy";
+            files.expect("copy");
             fail("this scene has unsaved changes; ask for the copy once more to give them up");
             return;
         }
@@ -238,16 +271,29 @@ public final class Editor {
      * @param index its place in the list, or {@link #NOTHING}
      */
     public void select(int index) {
-        if (index != selected) {
-            document.history().seal();
+        if (index != selected()) {
+            seal();
         }
         letGo();
-        selected = index >= 0 && index < scene().entities().size() ? index : NOTHING;
+        if (index >= 0 && index < scene().entities().size()) {
+            selection.only(index);
+        }
+    }
+
+    /**
+     * Selects one more entity, or lets go of it if it is selected.
+     *
+     * @param index its place in the list
+     */
+    public void toggle(int index) {
+        seal();
+        joints.letGo();
+        selection.toggle(index);
     }
 
     /** Nothing is selected, and no joint is being placed. */
     void letGo() {
-        selected = NOTHING;
+        selection.only();
         joints.letGo();
     }
 
@@ -276,38 +322,17 @@ public final class Editor {
         }
     }
 
-    /** Adds one more of what is selected, beside it, and selects that. */
-    public void duplicate() {
-        EntitySpec like = selectedEntity();
-        if (like == null) {
-            fail("nothing is selected; choose an entity to duplicate");
-            return;
-        }
-        Sizes sizes = Sizes.of(like);
-        Xyz offset = new Xyz(sizes.high().x() - sizes.low().x() + GAP, 0, 0);
-        int index = selected;
-        if (edit(
-                "duplicate " + like.name(),
-                scene -> SceneEdit.duplicate(scene, index, offset),
-                false)) {
-            select(scene().entities().size() - 1);
-        }
-    }
-
     /** Deletes what is selected. */
     public void delete() {
         if (joints.selectedJoint() != null) {
             joints.delete();
             return;
         }
-        EntitySpec gone = selectedEntity();
-        if (gone == null) {
-            fail("nothing is selected; choose an entity or a joint to delete");
-            return;
-        }
-        int index = selected;
-        if (edit("delete " + gone.name(), scene -> SceneEdit.delete(scene, index), false)) {
-            letGo();
+        if (group.isAny("an entity or a joint to delete")) {
+            int[] gone = selection();
+            if (edit(group.label("delete"), scene -> GroupEdit.delete(scene, gone), false)) {
+                letGo();
+            }
         }
     }
 
@@ -321,7 +346,7 @@ public final class Editor {
     public void change(String what, UnaryOperator<EntitySpec> change) {
         EntitySpec entity = selectedEntity();
         if (entity != null) {
-            int index = selected;
+            int index = selected();
             edit(
                     "%s %s (%d)".formatted(what, entity.name(), index),
                     scene -> SceneEdit.change(scene, index, change),
@@ -368,6 +393,11 @@ public final class Editor {
             return;
         }
         say(how + label);
+        showAgain();
+    }
+
+    /** Shows the scene as it is now. */
+    void showAgain() {
         stage.rest(scene(), document.folder(), false);
     }
 
@@ -381,8 +411,10 @@ public final class Editor {
         if (label != null) {
             joints.cancel();
             joints.travelled(before.joints());
-            int known = Selection.after(before.entities(), selected, scene().entities());
-            selected = joints.selected() == NOTHING ? known : NOTHING;
+            selection.travelled(before.entities(), scene().entities());
+            if (joints.selected() != NOTHING) {
+                selection.only();
+            }
         }
         return label;
     }
@@ -403,83 +435,8 @@ public final class Editor {
         }
         say("");
         edits++;
-        stage.rest(scene(), document.folder(), false);
+        showAgain();
         return true;
-    }
-
-    // Files ------------------------------------------------------------------------------------
-
-    /**
-     * Saves the scene. A file that the scene does not come from is replaced only when this is
-     * called twice.
-     *
-     * @param name path as typed, absolute or relative to the folder of the scene
-     */
-    public void save(String name) {
-        try {
-            Path target = path(name);
-            if (target == null) {
-                return;
-            }
-            if (!target.equals(file()) && Files.exists(target) && !confirmed("save " + target)) {
-                fail(target + " is there already; save once more to replace it");
-                return;
-            }
-            if (document.save(target) && mode == Mode.REST) {
-                stage.rest(scene(), document.folder(), false);
-            }
-            say("saved in " + target);
-        } catch (UncheckedIOException | InvalidPathException broken) {
-            fail(String.valueOf(broken.getMessage()));
-        }
-    }
-
-    /**
-     * Loads a scene. Unsaved changes are given up only when this is called twice.
-     *
-     * @param name path as typed, absolute or relative to the folder of the scene
-     */
-    public void load(String name) {
-        try {
-            Path source = path(name);
-            if (source == null) {
-                return;
-            }
-            SceneFile loaded = SceneDocument.read(source);
-            if (isChanged() && !confirmed("load " + source)) {
-                fail("the scene has unsaved changes; load once more to give them up");
-                return;
-            }
-            Path parent = source.getParent();
-            open(loaded, source, parent == null ? document.folder() : parent);
-            say("loaded " + source);
-        } catch (SceneFileException | InvalidPathException broken) {
-            fail(String.valueOf(broken.getMessage()));
-        }
-    }
-
-    /** Begins an empty scene. Unsaved changes are given up only when this is called twice. */
-    public void startNew() {
-        if (isChanged() && !confirmed("new")) {
-            fail("the scene has unsaved changes; press once more to give them up");
-            return;
-        }
-        open(Supply.emptyScene(), null, document.folder());
-    }
-
-    private @Nullable Path path(String name) {
-        String typed = name.strip();
-        if (typed.isEmpty() || !typed.endsWith(".json")) {
-            fail("\"%s\": expected the name of a file that ends in .json".formatted(typed));
-            return null;
-        }
-        return document.folder().resolve(typed).toAbsolutePath().normalize();
-    }
-
-    private boolean confirmed(String action) {
-        boolean second = confirming.equals(action);
-        confirming = second ? "" : action;
-        return second;
     }
 
     // Messages ---------------------------------------------------------------------------------
@@ -487,7 +444,7 @@ public final class Editor {
     void say(String text) {
         message = text;
         wrong = false;
-        confirming = "";
+        files.forget();
     }
 
     void fail(String text) {

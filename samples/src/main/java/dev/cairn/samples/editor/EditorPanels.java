@@ -1,23 +1,23 @@
 package dev.cairn.samples.editor;
 
-import dev.cairn.render.app.Pick;
 import dev.cairn.render.app.View;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
-import dev.cairn.render.input.MouseButton;
-import dev.cairn.render.input.Pointer;
 import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.editor.gizmo.Gizmo;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
+import dev.cairn.samples.scenefile.edit.GroupEdit;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -31,41 +31,26 @@ public final class EditorPanels {
     private static final double GAP = 10;
     private static final double LEFT_WIDTH = 290;
     private static final double PLAYING_HEIGHT = 150;
+    private static final Gizmo.Mode[] MODES = Gizmo.Mode.values();
+    private static final String[] TOOLS = {"Move", "Turn", "Scale"};
+    private static final String[] CHOSEN_TOOLS = {"[Move]", "[Turn]", "[Scale]"};
     private static final int PROBLEM = 0xFF7A7A;
 
     /** Frames without an edit after which the next one is a step of its own. */
     private static final int REST_FRAMES = 30;
 
+    private static final String DUPLICATE = "editor: duplicate";
     private static final double RAISE = 0.1;
-
-    /** Where a click over the sky is while nothing is selected, m. */
-    private static final double AHEAD = 8;
-
-    /** What places are multiples of while the grid is on, m. */
-    private static final double GRID = 0.25;
-
-    /**
-     * How far the cursor goes before a click becomes a drag, as a share of the picture's height.
-     */
-    private static final double STRAY = 0.008;
 
     private final Editor editor;
     private final EntityPanel entity;
     private final JointPanel joint;
+    private final EditorMouse mouse;
     private final ConcurrentLinkedQueue<Consumer<Editor>> asked = new ConcurrentLinkedQueue<>();
     private String fileName = "scene.json";
     private String meshName = "";
     private @Nullable Path shownFile;
-    private @Nullable GroundDrag drag;
-
-    /** Whether the cursor has gone far enough from where the button went down. */
-    private boolean drags;
-
-    private double pressedX;
-    private double pressedY;
-    private boolean snaps = true;
-    private final EntityTitles titles = new EntityTitles();
-    private final JointTitles jointTitles = new JointTitles();
+    private final Titles titles = new Titles();
     private final TextBuffer text = new TextBuffer();
 
     private final SelectionLines lines = new SelectionLines();
@@ -84,6 +69,7 @@ public final class EditorPanels {
         this.editor = editor;
         this.entity = new EntityPanel(editor);
         this.joint = new JointPanel(editor);
+        this.mouse = new EditorMouse(editor);
     }
 
     /**
@@ -126,8 +112,15 @@ public final class EditorPanels {
                 .onChord(Key.Z, "editor: undo", () -> askAtRest(Editor::undo))
                 .onChord(Key.Y, "editor: redo", () -> askAtRest(Editor::redo))
                 .onChord(Key.S, "editor: save", () -> askOpen(known -> save()))
-                .onChord(Key.D, "editor: duplicate", () -> askAtRest(Editor::duplicate))
-                .onKey(Key.C, "editor: duplicate", () -> askAtRest(Editor::duplicate))
+                .onChord(Key.C, "editor: copy", () -> askAtRest(known -> known.group().copy()))
+                .onChord(Key.V, "editor: paste", () -> askAtRest(known -> known.group().paste()))
+                .onChord(Key.D, DUPLICATE, () -> askAtRest(known -> known.group().duplicate()))
+                .onKey(Key.C, DUPLICATE, () -> askAtRest(known -> known.group().duplicate()))
+                .onChord(
+                        Key.A, "editor: all", () -> askAtRest(known -> known.group().selectAll()))
+                .onKey(
+                        Key.G, "editor: put down", () -> askAtRest(known -> known.group().drop()))
+                .onKey(Key.T, "editor: move, turn, scale", () -> askAtRest(known -> nextTool()))
                 .onKey(Key.F, "editor: look at it", () -> askAtRest(known -> frames = true))
                 .onKey(Key.DELETE, "editor: delete", () -> askAtRest(Editor::delete));
     }
@@ -144,6 +137,15 @@ public final class EditorPanels {
         }
     }
 
+    /**
+     * The handles at what is selected.
+     *
+     * @return the same object each time
+     */
+    public Gizmo gizmo() {
+        return mouse.gizmo();
+    }
+
     /** Does what keys asked for; once a frame, also while the editor is closed. */
     public void hear() {
         for (Consumer<Editor> next = asked.poll(); next != null; next = asked.poll()) {
@@ -153,7 +155,7 @@ public final class EditorPanels {
 
     /** Saves the scene under the name in the panel. Window thread. */
     public void save() {
-        editor.save(fileName);
+        editor.files().save(fileName);
     }
 
     /**
@@ -191,15 +193,11 @@ public final class EditorPanels {
     public void raise(double steps) {
         ask(known -> {
             if (known.mode() == Editor.Mode.REST) {
-                known.change(
-                        "raise",
-                        e -> {
-                            double y = e.position().y() + RAISE * steps;
-                            double rounded = Math.rint(y * 1000) / 1000;
-                            return e.at(
-                                    new Xyz(e.position().x(), rounded, e.position().z()),
-                                    e.rotation());
-                        });
+                known.group()
+                        .changeAll(
+                                "raise",
+                                (scene, which) ->
+                                        GroupEdit.move(scene, which, new Xyz(0, RAISE * steps, 0)));
             }
         });
     }
@@ -222,10 +220,9 @@ public final class EditorPanels {
             shownFile = file;
             fileName = file == null ? fileName : String.valueOf(file.getFileName());
         }
-        mouse(view, entities);
-        EntitySpec chosen = editor.selectedEntity();
-        if (frames && chosen != null) {
-            Sizes.of(chosen).frame(view.camera(), chosen.position());
+        mouse.frame(view, entities);
+        if (frames && editor.selection().length > 0) {
+            Sizes.around(chosen()).frame(view.camera());
         }
         frames = false;
         double height = ui.height() - 2 * GAP;
@@ -250,6 +247,26 @@ public final class EditorPanels {
         seal();
     }
 
+    private List<EntitySpec> chosen() {
+        return Arrays.stream(editor.selection()).mapToObj(editor.scene().entities()::get).toList();
+    }
+
+    private void nextTool() {
+        Gizmo gizmo = mouse.gizmo();
+        gizmo.mode(MODES[(gizmo.mode().ordinal() + 1) % MODES.length]);
+    }
+
+    /** What the handles at the selection do. */
+    private void tools(Ui ui) {
+        ui.columns(3);
+        for (int i = 0; i < MODES.length; i++) {
+            boolean chosen = MODES[i] == mouse.gizmo().mode();
+            if (ui.button(chosen ? CHOSEN_TOOLS[i] : TOOLS[i])) {
+                mouse.gizmo().mode(MODES[i]);
+            }
+        }
+    }
+
     private void playing(Ui ui) {
         if (ui.panel("Editor", GAP, GAP, LEFT_WIDTH, PLAYING_HEIGHT)) {
             ui.heading(editor.scene().name());
@@ -271,7 +288,7 @@ public final class EditorPanels {
             editor.play();
         }
         if (ui.button("New")) {
-            editor.startNew();
+            editor.files().startNew();
         }
         if (ui.button("Close (F2)")) {
             editor.close();
@@ -286,13 +303,14 @@ public final class EditorPanels {
         String label = editor.history().undoLabel();
         text.clear().put(editor.history().steps()).put(" steps");
         ui.value(editor.isChanged() ? text.put(", unsaved") : text, label == null ? "" : label);
+        tools(ui);
         fileName = ui.textField("file", fileName);
         ui.columns(3);
         if (ui.button("Save")) {
             save();
         }
         if (ui.button("Load")) {
-            editor.load(fileName);
+            editor.files().load(fileName);
         }
         if (ui.button("Keep view")) {
             keepView(view.camera());
@@ -312,145 +330,34 @@ public final class EditorPanels {
             Supply.Item item = Supply.ITEMS.get(i);
             if (ui.button(item.name())) {
                 EntitySpec made = EntitySpec.of(item.name(), item.body(), item.shape());
-                editor.place(made.at(free(view, made), Turn.NONE).withName(item.name()));
+                editor.place(made.at(mouse.free(view, made), Turn.NONE).withName(item.name()));
             }
         }
         meshName = ui.textField("mesh (.obj)", meshName);
         ui.columns(1);
         if (ui.button("Place mesh")) {
-            editor.placeMesh(meshName, free(view, Supply.ANY_MESH));
+            editor.placeMesh(meshName, mouse.free(view, Supply.ANY_MESH));
         }
-        snaps = ui.checkbox("snap to a grid of 0.25 m", snaps);
+        mouse.snaps(ui.checkbox("snap: 0.25 m, 15 degrees", mouse.snaps()));
     }
 
     private void list(Ui ui, double top, double height) {
         List<EntitySpec> entities = editor.scene().entities();
         if (ui.panel("Entities", GAP, top, LEFT_WIDTH, height)) {
             for (int i = 0; i < entities.size(); i++) {
-                if (ui.item(titles.of(i, entities.get(i)), i == editor.selected(), "")) {
+                if (ui.item(titles.of(i, entities.get(i)), editor.isSelected(i), "")) {
                     editor.select(i == editor.selected() ? Editor.NOTHING : i);
                 }
             }
             EditorJoints joints = editor.joints();
             int count = editor.scene().joints().size();
             for (int i = 0; i < count && i < editor.scene().joints().size(); i++) {
-                if (ui.item(jointTitles.of(i, editor.scene()), i == joints.selected(), "")) {
+                if (ui.item(titles.joint(i, editor.scene()), i == joints.selected(), "")) {
                     joints.select(i == joints.selected() ? Editor.NOTHING : i);
                 }
             }
         }
         ui.endPanel();
-    }
-
-    // Mouse ------------------------------------------------------------------------------------
-
-    private void mouse(View view, long[] entities) {
-        Pointer pointer = view.pointer();
-        if (pointer.wasPressed(MouseButton.LEFT)) {
-            take(view, entities);
-        } else if (drag != null) {
-            // Also in the frame of the release: the way up to it belongs to the drag.
-            drags |=
-                    Math.hypot((pointer.x() - pressedX) * view.aspect(), pointer.y() - pressedY)
-                            > STRAY;
-            if (drags) {
-                move(view, drag);
-            }
-            if (!pointer.isDown(MouseButton.LEFT)) {
-                drag = null;
-                editor.seal();
-            }
-        }
-    }
-
-    private void take(View view, long[] entities) {
-        Pointer pointer = view.pointer();
-        Pick pick = view.pick(pointer.across(), pointer.upwards());
-        int index = pick == null ? Editor.NOTHING : indexOf(pick.entity(), entities);
-        if (editor.joints().awaited() != EditorJoints.Click.NONE) {
-            editor.joints().click(index, clicked(view, pick));
-            return;
-        }
-        if (index != Editor.NOTHING && Ground.is(editor.scene().entities().get(index))) {
-            index = Editor.NOTHING; // A click beside all things: the floor is chosen in the list.
-        }
-        editor.select(index);
-        EntitySpec taken = editor.selectedEntity();
-        if (pick != null && taken != null) {
-            Vector3d at = view.camera().position(new Vector3d()).fma(pick.distance(), ray(view));
-            drag = new GroundDrag(new Xyz(at.x, at.y, at.z), taken.position());
-            drags = false;
-            pressedX = pointer.x();
-            pressedY = pointer.y();
-        }
-    }
-
-    /** The point under the cursor; over the sky one as far away as what is selected. */
-    private Xyz clicked(View view, @Nullable Pick pick) {
-        Vector3d eye = view.camera().position(new Vector3d());
-        Vector3d along = ray(view);
-        EntitySpec near = editor.selectedEntity();
-        double far = AHEAD;
-        if (pick != null) {
-            far = pick.distance();
-        } else if (near != null) {
-            Xyz at = near.position();
-            Vector3d forward = view.camera().forward(new Vector3d());
-            double depth = new Vector3d(at.x(), at.y(), at.z()).sub(eye).dot(forward);
-            far = Math.max(0, depth) / along.dot(forward);
-        }
-        Vector3d at = eye.fma(far, along);
-        return new Xyz(at.x, at.y, at.z);
-    }
-
-    private void move(View view, GroundDrag by) {
-        EntitySpec held = editor.selectedEntity();
-        if (held != null) {
-            Vector3d eye = view.camera().position(new Vector3d());
-            Vector3d along = ray(view);
-            Xyz to =
-                    by.to(
-                            new Xyz(eye.x, eye.y, eye.z),
-                            new Xyz(along.x, along.y, along.z),
-                            held.position(),
-                            snaps ? GRID : 0);
-            editor.change("drag", e -> e.at(to, e.rotation()));
-        }
-    }
-
-    private static int indexOf(long wanted, long[] entities) {
-        for (int i = 0; i < entities.length; i++) {
-            if (entities[i] == wanted) {
-                return i;
-            }
-        }
-        return Editor.NOTHING;
-    }
-
-    private static Vector3d ray(View view) {
-        Pointer pointer = view.pointer();
-        return view.camera()
-                .ray(pointer.across(), pointer.upwards(), view.aspect(), new Vector3d());
-    }
-
-    /** On the ground in the middle of the picture, beside what stands there. */
-    private Xyz free(View view, EntitySpec made) {
-        Vector3d eye = view.camera().position(new Vector3d());
-        Vector3d along = view.camera().forward(new Vector3d());
-        List<EntitySpec> all = editor.scene().entities();
-        Xyz ahead = Ground.ahead(eye, along, all);
-        double grid = snaps ? GRID : 0.001;
-        Xyz wanted = new Xyz(GroundDrag.snap(ahead.x(), grid), 0, GroundDrag.snap(ahead.z(), grid));
-        Xyz standing = Ground.under(made, wanted, all);
-        Xyz aside =
-                FreePlace.near(
-                        made,
-                        standing,
-                        all.stream().filter(other -> !Ground.is(other)).toList(),
-                        Math.abs(along.z) >= Math.abs(along.x),
-                        snaps ? GRID : 0);
-        boolean isOnTop = aside.x() == standing.x() && aside.z() == standing.z();
-        return isOnTop ? aside : Ground.under(made, aside, all);
     }
 
     private void keepView(Camera camera) {
@@ -468,7 +375,7 @@ public final class EditorPanels {
         if (editor.edits() != stepsBefore) {
             stepsBefore = editor.edits();
             restFrames = 0;
-        } else if (++restFrames == REST_FRAMES && drag == null) {
+        } else if (++restFrames == REST_FRAMES && !mouse.isBusy()) {
             editor.seal();
         }
     }

@@ -4,6 +4,7 @@ import dev.cairn.physics.Material;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.JointSpec;
 import dev.cairn.samples.scenefile.LookSpec;
 import dev.cairn.samples.scenefile.PartSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
@@ -38,6 +39,9 @@ final class EntityPanel {
                     "builtin:metal");
     private static final List<String> TEXTURE_NAMES =
             List.of("of the shape", "plain", "grid", "panel", "beach ball", "metal", "a file");
+    static final List<String> AXES = List.of("along x", "along y", "along z");
+    static final List<Xyz> DIRECTIONS =
+            List.of(new Xyz(1, 0, 0), new Xyz(0, 1, 0), new Xyz(0, 0, 1));
     private static final int FROM_FILE = 6;
     private static final int ROWS_BELOW = 6;
 
@@ -46,7 +50,8 @@ final class EntityPanel {
     private final ShapeFields shapes;
     private final DrivenFields driven;
     private final BodyFields bodies;
-    private final JointTool joints;
+    private int jointKind = JointSpec.KINDS.indexOf("hinge");
+    private int jointAxis = 2;
     private final Quaterniond rotation = new Quaterniond();
     private final Vector3d angles = new Vector3d();
     private int shown = Editor.NOTHING;
@@ -56,7 +61,6 @@ final class EntityPanel {
         this.shapes = new ShapeFields(editor, fields);
         this.driven = new DrivenFields(editor);
         this.bodies = new BodyFields(editor, fields);
-        this.joints = new JointTool(editor);
     }
 
     void draw(Ui ui, double left, double top, double width, double height) {
@@ -79,13 +83,13 @@ final class EntityPanel {
         if (ui.panel("Entity", left, top, width, height)) {
             ui.columns(2);
             if (ui.button("Duplicate (C)")) {
-                editor.duplicate();
+                editor.group().duplicate();
             }
             if (ui.button("Delete (Del)")) {
                 editor.delete();
             }
             if (entity.body() != BodyKind.NONE) {
-                joints.draw(ui);
+                newJoint(ui);
             }
             // One kind of change in a frame: what is shown below is what was there before it.
             identity(ui, entity);
@@ -281,5 +285,22 @@ final class EntityPanel {
         if (!velocity.equals(entity.velocity()) || !spin.equals(entity.angularVelocity())) {
             editor.change("motion of", e -> e.moving(velocity, spin));
         }
+    }
+
+    /** Begins a joint at the selected entity. */
+    private void newJoint(Ui ui) {
+        if (!ui.section("New joint", false)) {
+            return;
+        }
+        jointKind = ui.choice("kind of joint", JointSpec.KINDS, jointKind);
+        jointAxis = ui.choice("its axis", AXES, jointAxis);
+        ui.columns(2);
+        boolean toBody = ui.button("To a body...");
+        boolean toWorld = ui.button("To the world...");
+        if (toBody || toWorld) {
+            editor.joints()
+                    .begin(JointSpec.KINDS.get(jointKind), DIRECTIONS.get(jointAxis), toWorld);
+        }
+        ui.endSection();
     }
 }

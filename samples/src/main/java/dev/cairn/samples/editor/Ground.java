@@ -2,15 +2,20 @@ package dev.cairn.samples.editor;
 
 import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.ShapeSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
 import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
+import dev.cairn.samples.scenefile.edit.SceneEdit;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -28,6 +33,9 @@ final class Ground {
 
     /** Where no ground is ahead. */
     private static final double AHEAD = 8;
+
+    /** Less than this is rounding, m. */
+    private static final double TOUCHING = 1e-6;
 
     private Ground() {}
 
@@ -97,6 +105,50 @@ final class Ground {
         }
         double ground = highest == Double.NEGATIVE_INFINITY ? 0 : highest;
         return new Xyz(at.x(), Math.rint((ground - lowest) * 1e6) / 1e6, at.z());
+    }
+
+    /**
+     * Puts things down onto what is below them: the ground, or the box around another thing.
+     *
+     * @param scene the scene
+     * @param which places in its list; the lowest goes first, so that a stack stays one
+     * @return the scene with them standing
+     */
+    static SceneFile dropped(SceneFile scene, int[] which) {
+        List<Integer> order = new ArrayList<>(Arrays.stream(which).boxed().toList());
+        order.sort(Comparator.comparingDouble(i -> box(scene.entities().get(i)).low().y()));
+        SceneFile now = scene;
+        for (int index : order) {
+            EntitySpec entity = now.entities().get(index);
+            Sizes own = box(entity);
+            double ground = under(entity, entity.position(), now.entities()).y();
+            double top = Double.NEGATIVE_INFINITY;
+            for (int i = 0; i < now.entities().size(); i++) {
+                EntitySpec other = now.entities().get(i);
+                Sizes below = box(other);
+                if (i != index
+                        && !is(other)
+                        && below.low().x() < own.high().x()
+                        && below.high().x() > own.low().x()
+                        && below.low().z() < own.high().z()
+                        && below.high().z() > own.low().z()
+                        && below.high().y() <= own.low().y() + TOUCHING) {
+                    top = Math.max(top, below.high().y());
+                }
+            }
+            double onOther = entity.position().y() + top - own.low().y();
+            double height = Math.rint(Math.max(ground, onOther) * 1e6) / 1e6;
+            now =
+                    SceneEdit.move(
+                            now,
+                            index,
+                            new Xyz(entity.position().x(), height, entity.position().z()));
+        }
+        return now;
+    }
+
+    private static Sizes box(EntitySpec entity) {
+        return Sizes.around(List.of(entity));
     }
 
     /** The plane of a ground's upper side: n · p = n · point. */

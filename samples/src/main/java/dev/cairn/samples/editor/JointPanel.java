@@ -87,8 +87,8 @@ final class JointPanel {
         for (int i = 0; i < AXES.length; i++) {
             states[i] = joint.settings(AXES[i]);
         }
-        nameA = JointTitles.name(editor.scene(), joint.a());
-        nameB = JointTitles.name(editor.scene(), joint.b());
+        nameA = Titles.name(editor.scene(), joint.a());
+        nameB = Titles.name(editor.scene(), joint.b());
     }
 
     // Each says whether it has changed the joint: the rest of the frame would show an old one.
@@ -135,9 +135,9 @@ final class JointPanel {
             }
         }
         Xyz axis = fields.xyz(ui, "axis", old.axis());
-        int chosen = ui.choice("turn it", JointTool.AXES, JointTool.DIRECTIONS.indexOf(old.axis()));
+        int chosen = ui.choice("turn it", EntityPanel.AXES, EntityPanel.DIRECTIONS.indexOf(old.axis()));
         if (chosen >= 0 && axis == old.axis()) {
-            Xyz direction = JointTool.DIRECTIONS.get(chosen);
+            Xyz direction = EntityPanel.DIRECTIONS.get(chosen);
             axis = direction.equals(axis) ? axis : direction;
         }
         Xyz second = old.secondAxis();

@@ -1,13 +1,84 @@
 package dev.cairn.samples.editor;
 
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
 
-/** Which entity or joint is selected after a step through the history. Stateless. */
+/**
+ * Which entities are selected: places in the scene's list, in the order in which they were chosen;
+ * the last one is the one that panels show. One thread.
+ */
 final class Selection {
-    private Selection() {}
+    private int[] chosen = {};
+
+    /** The one chosen last, or {@link Editor#NOTHING}. */
+    int primary() {
+        return chosen.length == 0 ? Editor.NOTHING : chosen[chosen.length - 1];
+    }
+
+    /** All; not to be changed. */
+    int[] all() {
+        return chosen;
+    }
+
+    boolean holds(int index) {
+        for (int each : chosen) {
+            if (each == index) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void only(int... places) {
+        chosen = places;
+    }
+
+    /** Takes one more, or lets go of one. */
+    void toggle(int index) {
+        boolean held = holds(index);
+        int[] others = Arrays.stream(chosen).filter(each -> each != index).toArray();
+        chosen = held ? others : Arrays.copyOf(others, others.length + 1);
+        if (!held) {
+            chosen[others.length] = index;
+        }
+    }
+
+    /**
+     * Follows what was selected through a step of the history.
+     *
+     * @param before the entities before the step
+     * @param after the same after it
+     */
+    <T> void travelled(List<T> before, List<T> after) {
+        int primary = after(before, primary(), after);
+        int[] others =
+                Arrays.stream(chosen)
+                        .filter(each -> each != primary())
+                        .map(each -> same(before, each, after))
+                        .filter(each -> each != Editor.NOTHING && each != primary)
+                        .distinct()
+                        .toArray();
+        if (primary != Editor.NOTHING) {
+            others = Arrays.copyOf(others, others.length + 1);
+            others[others.length - 1] = primary;
+        }
+        chosen = others;
+    }
+
+    /** The same object's place after a step; its old place if the step changed it there. */
+    @SuppressWarnings("ReferenceEquality") // the same object is the same entity
+    private static <T> int same(List<T> before, int selected, List<T> after) {
+        T wanted = before.get(selected);
+        for (int i = 0; i < after.size(); i++) {
+            if (after.get(i) == wanted) {
+                return i;
+            }
+        }
+        return before.size() == after.size() ? selected : Editor.NOTHING;
+    }
 
     /**
      * The place of what was selected in a list before and after a step. They are values that a step
@@ -18,18 +89,10 @@ final class Selection {
      * @param after the same after it
      * @return what was selected, as it is now; else what the step brought back; else nothing
      */
-    @SuppressWarnings("ReferenceEquality") // the same object is the same entity
     static <T> int after(List<T> before, int selected, List<T> after) {
-        if (selected != Editor.NOTHING) {
-            T chosen = before.get(selected);
-            for (int i = 0; i < after.size(); i++) {
-                if (after.get(i) == chosen) {
-                    return i;
-                }
-            }
-            if (before.size() == after.size()) {
-                return selected; // changed where it is
-            }
+        int kept = selected == Editor.NOTHING ? selected : same(before, selected, after);
+        if (kept != Editor.NOTHING) {
+            return kept;
         }
         Set<T> known = Collections.newSetFromMap(new IdentityHashMap<>());
         known.addAll(before);

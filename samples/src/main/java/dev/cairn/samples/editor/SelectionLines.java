@@ -8,6 +8,8 @@ import dev.cairn.samples.scenefile.Xyz;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
+import java.util.Arrays;
+
 /**
  * What is selected, drawn over the scene: the box around an entity; a joint's points, its axis, and
  * the way to its two bodies. Window thread; makes no garbage while the same is selected.
@@ -15,6 +17,7 @@ import org.jspecify.annotations.Nullable;
 @SuppressWarnings("ReferenceEquality") // a changed entity is another object
 final class SelectionLines {
     private static final int CHOSEN = 0xFFE082;
+    private static final int ALSO = 0xE0A458;
 
     /** Half the length of the line for a joint's axis, m. */
     private static final double AXIS = 0.4;
@@ -24,15 +27,19 @@ final class SelectionLines {
         0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7
     };
 
-    /** Whose box is drawn, and its corners. */
-    private @Nullable EntitySpec outlined;
+    /** Whose boxes are drawn, and their corners. */
+    private @Nullable EntitySpec[] known = new EntitySpec[4];
 
-    private Vector3d[] corners = {};
+    private Vector3d[][] corners = new Vector3d[4][];
 
     void draw(View view, Editor editor) {
-        EntitySpec entity = editor.selectedEntity();
-        if (entity != null) {
-            outline(view, entity);
+        int[] chosen = editor.selection();
+        if (known.length < chosen.length) {
+            known = Arrays.copyOf(known, 2 * chosen.length);
+            corners = Arrays.copyOf(corners, 2 * chosen.length);
+        }
+        for (int i = 0; i < chosen.length; i++) {
+            outline(view, i, editor.scene().entities().get(chosen[i]), i == chosen.length - 1);
         }
         JointSpec joint = editor.joints().selectedJoint();
         if (joint != null) {
@@ -44,16 +51,16 @@ final class SelectionLines {
         }
     }
 
-    private void outline(View view, EntitySpec chosen) {
-        if (chosen != outlined) {
-            outlined = chosen;
-            corners = Sizes.of(chosen).corners(chosen.position(), chosen.rotation());
+    private void outline(View view, int place, EntitySpec chosen, boolean isLast) {
+        if (chosen != known[place]) {
+            known[place] = chosen;
+            corners[place] = Sizes.of(chosen).corners(chosen.position(), chosen.rotation());
         }
-        Vector3d[] c = corners;
+        Vector3d[] c = corners[place];
         for (int i = 0; i < EDGES.length; i += 2) {
             Vector3d a = c[EDGES[i]];
             Vector3d b = c[EDGES[i + 1]];
-            view.line(a.x, a.y, a.z, b.x, b.y, b.z, CHOSEN, 1.5);
+            view.line(a.x, a.y, a.z, b.x, b.y, b.z, isLast ? CHOSEN : ALSO, 1.5);
         }
     }
 

@@ -51,14 +51,30 @@ record Sizes(Xyz low, Xyz high) {
         return around(corners);
     }
 
-    /** Moves a camera, along the way that it looks, to where it sees all of what stands there. */
-    void frame(Camera camera, Xyz place) {
+    /** Moves a camera, along the way that it looks, to where it sees all of the box. */
+    void frame(Camera camera) {
         Vector3d diagonal =
                 new Vector3d(high.x() - low.x(), high.y() - low.y(), high.z() - low.z());
         double radius = Math.max(0.5 * diagonal.length(), LEAST_RADIUS);
         double distance = 1.3 * radius / Math.sin(camera.fieldOfView() / 2);
         Vector3d from = camera.forward(new Vector3d()).mul(-distance);
-        camera.moveTo(from.x + place.x(), from.y + place.y(), from.z + place.z());
+        camera.moveTo(
+                from.x + (low.x() + high.x()) / 2,
+                from.y + (low.y() + high.y()) / 2,
+                from.z + (low.z() + high.z()) / 2);
+    }
+
+    /** The box, along the axes of the world, around entities where they are. */
+    static Sizes around(Iterable<EntitySpec> entities) {
+        List<Vector3d> corners = new ArrayList<>();
+        for (EntitySpec entity : entities) {
+            corners.addAll(List.of(of(entity).corners(entity.position(), entity.rotation())));
+        }
+        return around(corners);
+    }
+
+    double width() {
+        return high.x() - low.x();
     }
 
     private static Sizes of(ShapeSpec shape, Xyz s) {

@@ -170,6 +170,11 @@ public class Sandbox extends Application {
         return editor;
     }
 
+    /** The editor's panels; window thread. For tests. */
+    EditorPanels editorPanels() {
+        return editorPanels;
+    }
+
     /** What is asked before the window closes; window thread. For tests. */
     LeaveQuestion leaving() {
         return leaving;

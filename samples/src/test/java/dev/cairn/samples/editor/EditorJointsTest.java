@@ -127,7 +127,7 @@ class EditorJointsTest {
         joints.change("name of", j -> j.withName("hinge of the door"));
         assertFalse(editor.isWrong(), editor.message());
         SceneFile edited = editor.scene();
-        editor.save("door.json");
+        editor.files().save("door.json");
         assertEquals(edited, SceneReader.read(folder.resolve("door.json")));
         inAWorld(
                 SceneReader.read(folder.resolve("door.json")),

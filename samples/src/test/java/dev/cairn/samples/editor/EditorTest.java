@@ -79,7 +79,7 @@ class EditorTest {
         editor.place(box("crate"));
         assertEquals("crate", editor.selectedEntity().name());
         assertSame(editor.scene(), shown);
-        editor.duplicate();
+        editor.group().duplicate();
         // One metre wide, with 0.1 m between: the copy is 1.1 m along x.
         assertEquals(new Xyz(1.1, 0, 0), editor.selectedEntity().position());
         assertEquals(3, editor.scene().entities().size());
@@ -166,8 +166,8 @@ class EditorTest {
         editor.change("scale", e -> e.withScale(new Xyz(2, 2, 2)));
         editor.change("shape of", e -> e.withShape(new SphereShape(3)));
         editor.camera(editor.scene().camera());
-        editor.duplicate();
-        editor.save("all.json");
+        editor.group().duplicate();
+        editor.files().save("all.json");
         assertFalse(editor.isWrong(), editor.message());
         SceneFile read = SceneReader.read(folder.resolve("all.json"));
         assertEquals(List.of("ground", "crate"), read.layers());
@@ -185,16 +185,16 @@ class EditorTest {
     void savedAndLoadedIsTheSame() {
         editor.place(box("crate").at(new Xyz(0.1, 1.0 / 3, -0.0), Turn.about(Xyz.ONE, 25)));
         SceneFile edited = editor.scene();
-        editor.save("mine.json");
+        editor.files().save("mine.json");
         assertFalse(editor.isWrong(), editor.message());
         assertFalse(editor.isChanged());
         assertEquals(edited, SceneReader.read(folder.resolve("mine.json")));
         editor.delete();
         assertTrue(editor.isChanged());
-        editor.load("mine.json");
+        editor.files().load("mine.json");
         assertTrue(editor.isWrong(), "unsaved changes");
         assertNotEquals(edited, editor.scene());
-        editor.load("mine.json");
+        editor.files().load("mine.json");
         assertFalse(editor.isWrong(), editor.message());
         assertEquals(edited, editor.scene());
     }
@@ -202,10 +202,10 @@ class EditorTest {
     @Test
     void anotherFileIsReplacedOnTheSecondCallOnly() throws IOException {
         Files.writeString(folder.resolve("theirs.json"), "precious");
-        editor.save("theirs.json");
+        editor.files().save("theirs.json");
         assertTrue(editor.isWrong());
         assertEquals("precious", Files.readString(folder.resolve("theirs.json")));
-        editor.save("theirs.json");
+        editor.files().save("theirs.json");
         assertFalse(editor.isWrong(), editor.message());
         assertEquals(editor.scene(), SceneReader.read(folder.resolve("theirs.json")));
     }
@@ -216,16 +216,16 @@ class EditorTest {
         Files.writeString(
                 folder.resolve("broken.json"),
                 "{\"format\": \"cairn-scene\", \"version\": 1,\n \"entities\": [{\"shape\": 3}]}");
-        editor.load("broken.json");
+        editor.files().load("broken.json");
         assertTrue(editor.isWrong());
         assertTrue(
                 editor.message().contains("broken.json:2: $.entities[0].shape: expected"),
                 editor.message());
-        editor.load("absent.json");
+        editor.files().load("absent.json");
         assertTrue(editor.message().contains("nothing there"), editor.message());
-        editor.save("no-ending");
+        editor.files().save("no-ending");
         assertTrue(editor.message().contains(".json"), editor.message());
-        editor.save("no/such/folder/x.json");
+        editor.files().save("no/such/folder/x.json");
         assertTrue(editor.message().contains("not saved"), editor.message());
         editor.placeMesh("absent.obj", Xyz.ZERO);
         assertTrue(editor.message().contains("absent.obj"), editor.message());
@@ -244,7 +244,7 @@ class EditorTest {
         editor.placeMesh("tetra.obj", Xyz.ZERO);
         assertFalse(editor.isWrong(), editor.message());
         Files.createDirectory(folder.resolve("sub"));
-        editor.save("sub/there.json");
+        editor.files().save("sub/there.json");
         assertFalse(editor.isWrong(), editor.message());
         assertEquals(new MeshShape("../tetra.obj"), editor.scene().entities().get(1).shape());
     }

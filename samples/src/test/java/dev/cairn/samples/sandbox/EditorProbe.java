@@ -10,6 +10,7 @@ import dev.cairn.samples.scenes.stack.StackOfBoxes;
 import org.joml.Vector3d;
 
 import java.lang.management.ManagementFactory;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -26,6 +27,8 @@ final class EditorProbe extends Sandbox {
                     "hull",
                     "half-space",
                     "Save",
+                    "Turn",
+                    "Scale",
                     "Load",
                     "New joint",
                     "To the world...",
@@ -62,7 +65,8 @@ final class EditorProbe extends Sandbox {
                         "frame=%d mode=%s tick=%d steps=%d entities=%d changed=%b wrong=%b"
                                 + " selected=%d selectedX=%s selectedY=%s seenY=%.6f bytes=%d"
                                 + " asked=%b shortened=%d eyeZ=%.6f bodyX=%.6f bodyY=%.6f joints=%d"
-                                + " joint=%d awaited=%s",
+                                + " joint=%d awaited=%s count=%d tool=%s selectedZ=%s"
+                                + " turnY=%.6f scaleX=%.6f scaleY=%.6f lowestY=%.6f",
                         view.frames(),
                         editor().mode(),
                         state.tick,
@@ -82,13 +86,41 @@ final class EditorProbe extends Sandbox {
                         seen(view, state, 1, 1),
                         editor().scene().joints().size(),
                         editor().joints().selected(),
-                        editor().joints().awaited()));
+                        editor().joints().awaited(),
+                        editor().selection().length,
+                        editorPanels().gizmo().mode(),
+                        chosen == null ? "NaN" : chosen.position().z(),
+                        chosen == null ? 0 : 2 * Math.asin(chosen.rotation().y()),
+                        chosen == null ? 0 : chosen.scale().x(),
+                        chosen == null ? 0 : chosen.scale().y(),
+                        lowest()));
+        double[] at = new double[2];
+        for (int axis = 0; axis < 3 && chosen != null; axis++) {
+            if (editorPanels().gizmo().handleAt(axis, at)) {
+                line.append(
+                        String.format(
+                                Locale.ROOT,
+                                " handle%dX=%.1f handle%dY=%.1f",
+                                axis,
+                                at[0] * ui.width(),
+                                axis,
+                                at[1] * ui.height()));
+            }
+        }
         for (String button : BUTTONS) {
             line.append(WindowFixture.middle(ui, button));
         }
         System.out.println(line);
         System.out.flush();
         bytesBefore = threads.getCurrentThreadAllocatedBytes();
+    }
+
+    /** The least height at which one of the selected entities is. */
+    private double lowest() {
+        return Arrays.stream(editor().selection())
+                .mapToDouble(i -> editor().scene().entities().get(i).position().y())
+                .min()
+                .orElse(0);
     }
 
     /** Where the world has an entity of the edited scene. */

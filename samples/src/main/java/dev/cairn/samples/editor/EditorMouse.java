@@ -1,0 +1,216 @@
+package dev.cairn.samples.editor;
+
+import dev.cairn.render.app.Pick;
+import dev.cairn.render.app.View;
+import dev.cairn.render.input.MouseButton;
+import dev.cairn.render.input.Pointer;
+import dev.cairn.samples.editor.gizmo.Gizmo;
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.Turn;
+import dev.cairn.samples.scenefile.Xyz;
+import dev.cairn.samples.scenefile.edit.GroupEdit;
+
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+
+import java.util.List;
+
+/** What the left button does to the picture of a scene that rests. Window thread. */
+final class EditorMouse {
+    /** Where a click over the sky is while nothing is selected, m. */
+    private static final double AHEAD = 8;
+
+    /** What places are multiples of while the grid is on, m. */
+    private static final double GRID = 0.25;
+
+    /**
+     * How far the cursor goes before a click becomes a drag, as a share of the picture's height.
+     */
+    private static final double STRAY = 0.008;
+
+    private final Editor editor;
+    private final Gizmo gizmo = new Gizmo();
+    private @Nullable GroundDrag drag;
+
+    /** Whether the cursor has gone far enough from where the button went down. */
+    private boolean drags;
+
+    /** What alone is selected if the button goes up without a drag. */
+    private int clickedOne = Editor.NOTHING;
+
+    /** The entity under the cursor when it was taken. */
+    private int held = Editor.NOTHING;
+
+    private double pressedX;
+    private double pressedY;
+    private boolean snaps = true;
+
+    EditorMouse(Editor editor) {
+        this.editor = editor;
+    }
+
+    Gizmo gizmo() {
+        return gizmo;
+    }
+
+    boolean snaps() {
+        return snaps;
+    }
+
+    void snaps(boolean value) {
+        snaps = value;
+    }
+
+    private double grid() {
+        return snaps ? GRID : 0;
+    }
+
+    /** Whether something is being dragged. */
+    boolean isBusy() {
+        return drag != null || gizmo.isHeld();
+    }
+
+    void frame(View view, long[] entities) {
+        Pointer pointer = view.pointer();
+        boolean handles = gizmo.aim(view, editor);
+        boolean down = pointer.isDown(MouseButton.LEFT);
+        if (pointer.wasPressed(MouseButton.LEFT)) {
+            take(view, entities);
+        } else if (gizmo.isHeld()) {
+            // Also in the frame of the release: the way up to it belongs to the drag.
+            gizmo.drag(editor, grid());
+            if (!down) {
+                gizmo.release();
+                editor.seal();
+            }
+        } else if (drag != null) {
+            drags |=
+                    Math.hypot((pointer.x() - pressedX) * view.aspect(), pointer.y() - pressedY)
+                            > STRAY;
+            if (drags) {
+                move(view, drag);
+            }
+            if (!down) {
+                letGo();
+            }
+        }
+        if (handles && editor.selected() != Editor.NOTHING) {
+            gizmo.aim(view, editor);
+            gizmo.draw(view);
+        }
+    }
+
+    private void letGo() {
+        drag = null;
+        editor.seal();
+        if (!drags && clickedOne != Editor.NOTHING) {
+            editor.select(clickedOne);
+        }
+    }
+
+    private void take(View view, long[] entities) {
+        Pointer pointer = view.pointer();
+        boolean waits = editor.joints().awaited() != EditorJoints.Click.NONE;
+        if (!waits && gizmo.take(editor)) {
+            editor.seal();
+            return;
+        }
+        Pick pick = view.pick(pointer.across(), pointer.upwards());
+        int index = pick == null ? Editor.NOTHING : indexOf(pick.entity(), entities);
+        if (waits) {
+            editor.joints().click(index, clicked(view, pick));
+            return;
+        }
+        if (index != Editor.NOTHING && Ground.is(editor.scene().entities().get(index))) {
+            index = Editor.NOTHING; // A click beside all things: the floor is chosen in the list.
+        }
+        clickedOne = Editor.NOTHING;
+        if (pointer.isWithShift() || pointer.isWithControl()) {
+            if (index != Editor.NOTHING) {
+                editor.toggle(index);
+            }
+            return;
+        }
+        if (editor.isSelected(index)) {
+            clickedOne = index;
+        } else {
+            editor.select(index);
+        }
+        if (pick != null && index != Editor.NOTHING) {
+            EntitySpec taken = editor.scene().entities().get(index);
+            Vector3d at = view.camera().position(new Vector3d()).fma(pick.distance(), ray(view));
+            drag = new GroundDrag(new Xyz(at.x, at.y, at.z), taken.position());
+            held = index;
+            drags = false;
+            pressedX = pointer.x();
+            pressedY = pointer.y();
+        }
+    }
+
+    /** The point under the cursor; over the sky one as far away as what is selected. */
+    private Xyz clicked(View view, @Nullable Pick pick) {
+        Vector3d eye = view.camera().position(new Vector3d());
+        Vector3d along = ray(view);
+        EntitySpec near = editor.selectedEntity();
+        double far = AHEAD;
+        if (pick != null) {
+            far = pick.distance();
+        } else if (near != null) {
+            Xyz at = near.position();
+            Vector3d forward = view.camera().forward(new Vector3d());
+            double depth = new Vector3d(at.x(), at.y(), at.z()).sub(eye).dot(forward);
+            far = Math.max(0, depth) / along.dot(forward);
+        }
+        Vector3d at = eye.fma(far, along);
+        return new Xyz(at.x, at.y, at.z);
+    }
+
+    private void move(View view, GroundDrag by) {
+        Vector3d eye = view.camera().position(new Vector3d());
+        Vector3d along = ray(view);
+        Xyz now = editor.scene().entities().get(held).position();
+        Xyz to =
+                by.to(
+                        new Xyz(eye.x, eye.y, eye.z),
+                        new Xyz(along.x, along.y, along.z),
+                        now,
+                        grid());
+        Xyz shift = new Xyz(to.x() - now.x(), to.y() - now.y(), to.z() - now.z());
+        editor.group().changeAll("drag", (scene, which) -> GroupEdit.move(scene, which, shift));
+    }
+
+    private static int indexOf(long wanted, long[] entities) {
+        for (int i = 0; i < entities.length; i++) {
+            if (entities[i] == wanted) {
+                return i;
+            }
+        }
+        return Editor.NOTHING;
+    }
+
+    private static Vector3d ray(View view) {
+        Pointer pointer = view.pointer();
+        return view.camera()
+                .ray(pointer.across(), pointer.upwards(), view.aspect(), new Vector3d());
+    }
+
+    /** On the ground in the middle of the picture, beside what stands there. */
+    Xyz free(View view, EntitySpec made) {
+        Vector3d eye = view.camera().position(new Vector3d());
+        Vector3d along = view.camera().forward(new Vector3d());
+        List<EntitySpec> all = editor.scene().entities();
+        Xyz ahead = Ground.ahead(eye, along, all);
+        double grid = grid() > 0 ? GRID : 0.001;
+        Xyz wanted = new Xyz(GroundDrag.snap(ahead.x(), grid), 0, GroundDrag.snap(ahead.z(), grid));
+        Xyz standing = Ground.under(made, wanted, all);
+        Xyz aside =
+                FreePlace.near(
+                        made,
+                        standing,
+                        all.stream().filter(other -> !Ground.is(other)).toList(),
+                        Math.abs(along.z) >= Math.abs(along.x),
+                        grid());
+        boolean isOnTop = aside.x() == standing.x() && aside.z() == standing.z();
+        return isOnTop ? aside : Ground.under(made, aside, all);
+    }
+}

@@ -1,0 +1,124 @@
+package dev.cairn.samples.sandbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+import java.io.IOException;
+
+/** Handles, several things at once, the clipboard and the floor, in the real window. */
+class EditorToolsWindowTest extends WindowFixture {
+    @Override
+    Class<?> program() {
+        return EditorProbe.class;
+    }
+
+    @Override
+    boolean ready(Seen seen) {
+        return seen.number("tick") >= 1;
+    }
+
+    /** One window for all of it: to open one takes longer than what is done in it. */
+    @Test
+    void handlesGroupsClipboardAndFloor() throws IOException, InterruptedException {
+        type("key", "F2");
+        await("the editor", seen -> seen.is("mode", "REST") && seen.number("entities") == 1);
+        click("box");
+        await("a box", seen -> seen.number("entities") == 2 && seen.number("seenY") == 0.5);
+        settle();
+        look("editor-move");
+        anArrowMovesAlongItsAxisAlone();
+        aCircleTurnsInSteps();
+        aBarScalesOneAxis();
+        severalThingsAreCopiedMovedAndPutDown();
+        assertEquals(0, now().number("shortened"), last);
+    }
+
+    private void dragHandle(int axis, double right, double down)
+            throws IOException, InterruptedException {
+        settle();
+        Seen seen = now();
+        double x = seen.number("handle" + axis + "X");
+        double y = seen.number("handle" + axis + "Y");
+        moveTo(x, y);
+        settle();
+        type("mousedown", "1");
+        settle();
+        moveTo(x + right / 2, y + down / 2);
+        settle();
+        moveTo(x + right, y + down);
+        settle();
+        type("mouseup", "1");
+        settle();
+    }
+
+    private void anArrowMovesAlongItsAxisAlone() throws IOException, InterruptedException {
+        Seen before = now();
+        dragHandle(1, 0, -80);
+        Seen after = now();
+        double rise = after.number("selectedY") - before.number("selectedY");
+        assertTrue(rise > 0.5, "80 pixels up: " + last);
+        assertEquals(0, after.number("selectedY") % 0.25, 1e-9, "on the grid: " + last);
+        assertEquals(before.number("selectedX"), after.number("selectedX"), last);
+        assertEquals(before.number("selectedZ"), after.number("selectedZ"), last);
+        assertEquals(before.number("steps") + 1, after.number("steps"), "one step: " + last);
+        type("key", "ctrl+z");
+        await("it to be back", seen -> seen.number("selectedY") == before.number("selectedY"));
+    }
+
+    private void aCircleTurnsInSteps() throws IOException, InterruptedException {
+        type("key", "t");
+        await("circles", seen -> seen.is("tool", "TURN"));
+        dragHandle(1, -70, 0);
+        look("editor-turn");
+        double degrees = Math.toDegrees(now().number("turnY"));
+        assertTrue(Math.abs(degrees) > 10, last);
+        assertEquals(0, Math.abs(degrees) % 15, 1e-3, "in steps of 15 degrees: " + last);
+        type("key", "ctrl+z");
+        await("it to be back", seen -> Math.abs(seen.number("turnY")) < 1e-9);
+    }
+
+    private void aBarScalesOneAxis() throws IOException, InterruptedException {
+        click("Scale");
+        await("bars", seen -> seen.is("tool", "SCALE"));
+        dragHandle(1, 0, -60);
+        look("editor-scale");
+        Seen after = now();
+        assertTrue(after.number("scaleY") > 1.2, last);
+        assertEquals(1, after.number("scaleX"), last);
+        type("key", "ctrl+z");
+        await("it to be back", seen -> seen.number("scaleY") == 1);
+        type("key", "t");
+        await("arrows", seen -> seen.is("tool", "MOVE"));
+    }
+
+    private void severalThingsAreCopiedMovedAndPutDown() throws IOException, InterruptedException {
+        type("key", "ctrl+c", "ctrl+v");
+        Seen pasted = await("a copy", seen -> seen.number("entities") == 3);
+        assertEquals(1.1, pasted.number("selectedX"), 1e-9, last);
+        settle();
+        moveTo(512, 320); // the first box
+        type("keydown", "shift", "click", "1", "keyup", "shift");
+        await("both", seen -> seen.number("count") == 2);
+        settle();
+        look("editor-both");
+        for (int i = 0; i < 20; i++) {
+            type("click", "4");
+        }
+        await("both 2 m up", seen -> Math.abs(seen.number("lowestY") - 2.5) < 1e-9);
+        type("key", "g");
+        await("both on the floor", seen -> seen.number("lowestY") == 0.5);
+        type("key", "ctrl+d");
+        Seen four = await("two more, selected", seen -> seen.number("entities") == 5);
+        assertEquals(2, four.number("count"), last);
+        type("key", "Delete");
+        await("these to be gone", seen -> seen.number("entities") == 3);
+        type("key", "ctrl+z");
+        await("them to be back", seen -> seen.number("entities") == 5);
+        type("key", "ctrl+a");
+        await("all but the floor", seen -> seen.number("count") == 4);
+        type("key", "Escape");
+        await("nothing", seen -> seen.number("count") == 0 && seen.is("mode", "REST"));
+    }
+}
