@@ -302,7 +302,9 @@ public final class EditorPanels {
         }
         String label = editor.history().undoLabel();
         text.clear().put(editor.history().steps()).put(" steps");
-        ui.value(editor.isChanged() ? text.put(", unsaved") : text, label == null ? "" : label);
+        ui.columns(1);
+        ui.label(editor.isChanged() ? text.put(", unsaved") : text);
+        ui.text(label == null ? "nothing to undo" : label);
         tools(ui);
         fileName = ui.textField("file", fileName);
         ui.columns(3);

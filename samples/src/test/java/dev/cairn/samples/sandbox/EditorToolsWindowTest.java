@@ -74,7 +74,8 @@ class EditorToolsWindowTest extends WindowFixture {
         look("editor-turn");
         double degrees = Math.toDegrees(now().number("turnY"));
         assertTrue(Math.abs(degrees) > 10, last);
-        assertEquals(0, Math.abs(degrees) % 15, 1e-3, "in steps of 15 degrees: " + last);
+        double steps = degrees / 15;
+        assertEquals(Math.rint(steps), steps, 1e-3, "in steps of 15 degrees: " + last);
         type("key", "ctrl+z");
         await("it to be back", seen -> Math.abs(seen.number("turnY")) < 1e-9);
     }

@@ -43,7 +43,10 @@ public final class Gizmo {
     private static final double REACH = 0.014;
 
     /** A handle that points at the camera, shorter than this in the picture, cannot be taken. */
-    private static final double SHORTEST = 0.02;
+    private static final double SHORTEST = 0.05;
+
+    /** A circle seen so flatly cannot be taken: sine of the angle to its plane. */
+    private static final double EDGE_ON = 0.05;
 
     private static final double TURN_STEP = Math.toRadians(15);
     private static final double SCALE_STEP = 0.1;
@@ -231,7 +234,7 @@ public final class Gizmo {
      */
     public boolean handleAt(int axis, double[] dest) {
         if (mode == Mode.TURN) {
-            onCircle(axis, 0);
+            onCircle(axis, SEGMENTS / 8);
         } else {
             arm.set(centre).fma(0.9 * length, axes[axis]);
         }
@@ -277,6 +280,9 @@ public final class Gizmo {
 
     private double fromCircle(int axis) {
         double least = REACH;
+        if (Math.abs(axes[axis].dot(screen.ray)) < EDGE_ON) {
+            return least;
+        }
         double x = 0;
         double y = 0;
         boolean before = false;
@@ -311,7 +317,7 @@ public final class Gizmo {
         double slant = a.dot(d);
         arm.set(heldCentre).sub(screen.eye);
         if (mode == Mode.TURN) {
-            if (Math.abs(slant) < 0.05) {
+            if (Math.abs(slant) < EDGE_ON) {
                 return Double.NaN;
             }
             // The point of the ray in the circle's plane, seen from the middle.
