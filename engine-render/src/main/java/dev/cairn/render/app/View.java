@@ -8,6 +8,9 @@ import dev.cairn.render.input.Pointer;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
+import java.nio.file.Path;
+import java.util.List;
+
 /**
  * What the window shows in the present frame, for {@link Application#panels}. Window thread, inside
  * that call only.
@@ -24,6 +27,7 @@ public final class View {
     private final Vector3d eye = new Vector3d();
     private final Vector3d direction = new Vector3d();
     private @Nullable DebugLines lines;
+    private List<Path> dropped = List.of();
 
     View(Camera camera, Pointer pointer, PoseSnapshot first) {
         this.camera = camera;
@@ -36,6 +40,10 @@ public final class View {
         alpha = newAlpha;
         aspect = newAspect;
         frames = frame;
+    }
+
+    void dropped(List<Path> value) {
+        dropped = value;
     }
 
     void lines(DebugLines value) {
@@ -148,6 +156,15 @@ public final class View {
      */
     public Pointer pointer() {
         return pointer;
+    }
+
+    /**
+     * The files that the user dropped into the window, where the {@link #pointer} is.
+     *
+     * @return as a rule empty; each file once
+     */
+    public List<Path> dropped() {
+        return dropped;
     }
 
     /**

@@ -11,6 +11,7 @@ import static org.lwjgl.glfw.GLFW.glfwGetCursorPos;
 import static org.lwjgl.glfw.GLFW.glfwRawMouseMotionSupported;
 import static org.lwjgl.glfw.GLFW.glfwSetCharCallback;
 import static org.lwjgl.glfw.GLFW.glfwSetCursorPosCallback;
+import static org.lwjgl.glfw.GLFW.glfwSetDropCallback;
 import static org.lwjgl.glfw.GLFW.glfwSetInputMode;
 import static org.lwjgl.glfw.GLFW.glfwSetKeyCallback;
 import static org.lwjgl.glfw.GLFW.glfwSetMouseButtonCallback;
@@ -27,9 +28,13 @@ import dev.cairn.render.input.Trigger;
 import dev.cairn.render.ui.nuklear.NuklearUi;
 
 import org.jspecify.annotations.Nullable;
+import org.lwjgl.glfw.GLFWDropCallback;
 
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.function.Consumer;
 
 /**
@@ -91,6 +96,7 @@ final class WindowInput {
     /** Whether a button went down or up in this frame. */
     private boolean clicked;
 
+    private List<Path> dropped = List.of();
     private boolean lookButton;
     private boolean captured;
     private final double[] startX = new double[1];
@@ -126,14 +132,31 @@ final class WindowInput {
         glfwSetKeyCallback(
                 window, (w, key, scan, action, mods) -> note(KEY, key, action | mods << 2, 0, 0));
         glfwSetMouseButtonCallback(
-                window, (w, button, action, mods) -> note(BUTTON, button, action | mods << 2, 0, 0));
+                window,
+                (w, button, action, mods) -> note(BUTTON, button, action | mods << 2, 0, 0));
         glfwSetScrollCallback(window, (w, x, y) -> note(WHEEL, 0, 0, x, y));
         glfwSetCursorPosCallback(window, (w, x, y) -> note(CURSOR, 0, 0, x, y));
         glfwSetCharCallback(window, (w, letter) -> note(LETTER, letter, 0, 0, 0));
         glfwSetWindowFocusCallback(window, (w, focused) -> note(FOCUS, focused ? 1 : 0, 0, 0, 0));
+        glfwSetDropCallback(window, (w, count, names) -> dropped = paths(count, names));
         glfwGetCursorPos(window, startX, startY);
         cursorX = startX[0];
         cursorY = startY[0];
+    }
+
+    private static List<Path> paths(int count, long names) {
+        List<Path> paths = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            paths.add(Path.of(GLFWDropCallback.getName(names, i)));
+        }
+        return List.copyOf(paths);
+    }
+
+    /** The files that were dropped into the window since the last call. */
+    List<Path> takeDropped() {
+        List<Path> taken = dropped;
+        dropped = List.of();
+        return taken;
     }
 
     private void note(byte what, int which, int how, double x, double y) {

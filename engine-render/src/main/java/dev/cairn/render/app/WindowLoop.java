@@ -134,6 +134,7 @@ final class WindowLoop {
             DebugDrawing.draw(data, application.debugMask(), lines);
         }
         view.next(snapshot, alpha, (double) into.width() / into.height(), frames);
+        view.dropped(input.takeDropped());
         arrangePanels(into, elapsed);
         renderer.draw(snapshot, alpha, camera, light, into);
         if (application.wishes().takeScreenshot()) {

@@ -34,7 +34,6 @@ public final class Editor {
     /** {@link #selected} while nothing is. */
     public static final int NOTHING = -1;
 
-
     private final Stage stage;
     private volatile Mode mode = Mode.CLOSED;
     private final SceneDocument document = new SceneDocument();

@@ -44,6 +44,19 @@ public final class EditorFiles {
     }
 
     /**
+     * A file as scenes name it.
+     *
+     * @param file whole path
+     * @return relative to the folder of the scene if it lies in there, else whole; with slashes
+     */
+    public String relative(Path file) {
+        Path whole = file.toAbsolutePath().normalize();
+        Path home = document.folder();
+        Path named = whole.startsWith(home) ? home.relativize(whole) : whole;
+        return named.toString().replace('\\', '/');
+    }
+
+    /**
      * Saves the scene. A file that the scene does not come from is replaced only when this is
      * called twice.
      *
@@ -55,7 +68,9 @@ public final class EditorFiles {
             if (target == null) {
                 return;
             }
-            if (!target.equals(document.file()) && Files.exists(target) && !confirmed("save " + target)) {
+            if (!target.equals(document.file())
+                    && Files.exists(target)
+                    && !confirmed("save " + target)) {
                 editor.fail(target + " is there already; save once more to replace it");
                 return;
             }

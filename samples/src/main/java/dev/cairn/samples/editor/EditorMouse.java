@@ -6,14 +6,15 @@ import dev.cairn.render.input.MouseButton;
 import dev.cairn.render.input.Pointer;
 import dev.cairn.samples.editor.gizmo.Gizmo;
 import dev.cairn.samples.scenefile.EntitySpec;
-import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
 import dev.cairn.samples.scenefile.edit.GroupEdit;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 
 /** What the left button does to the picture of a scene that rests. Window thread. */
 final class EditorMouse {
@@ -192,6 +193,33 @@ final class EditorMouse {
         Pointer pointer = view.pointer();
         return view.camera()
                 .ray(pointer.across(), pointer.upwards(), view.aspect(), new Vector3d());
+    }
+
+    /** Takes a file that was dropped where the cursor is. */
+    void dropped(View view, long[] entities, Path file) {
+        String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
+        if (name.endsWith(".json")) {
+            editor.files().load(file.toString());
+        } else if (name.endsWith(".obj")) {
+            Vector3d eye = view.camera().position(new Vector3d());
+            Xyz there = Ground.ahead(eye, ray(view), editor.scene().entities());
+            Xyz at = Ground.under(Supply.ANY_MESH, there, editor.scene().entities());
+            editor.placeMesh(editor.files().relative(file), at);
+        } else if (name.endsWith(".png") || name.endsWith(".jpg")) {
+            Pick pick = view.pick(view.pointer().across(), view.pointer().upwards());
+            int index = pick == null ? Editor.NOTHING : indexOf(pick.entity(), entities);
+            if (index == Editor.NOTHING) {
+                editor.fail(name + ": drop a picture onto the thing that shall wear it");
+                return;
+            }
+            editor.select(index);
+            String picture = editor.files().relative(file);
+            editor.change(
+                    "picture",
+                    e -> e.withLook(e.look().withTexture(picture, e.look().tileMetres())));
+        } else {
+            editor.fail(name + ": expected a scene .json, a mesh .obj or a picture .png, .jpg");
+        }
     }
 
     /** On the ground in the middle of the picture, beside what stands there. */

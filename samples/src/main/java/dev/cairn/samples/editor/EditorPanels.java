@@ -6,6 +6,7 @@ import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
 import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.editor.files.FileChooser;
 import dev.cairn.samples.editor.gizmo.Gizmo;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
@@ -53,6 +54,7 @@ public final class EditorPanels {
     private final Titles titles = new Titles();
     private final TextBuffer text = new TextBuffer();
 
+    private final FileChooser chooser = new FileChooser();
     private final SelectionLines lines = new SelectionLines();
     private int stepsBefore;
     private int restFrames;
@@ -116,10 +118,8 @@ public final class EditorPanels {
                 .onChord(Key.V, "editor: paste", () -> askAtRest(known -> known.group().paste()))
                 .onChord(Key.D, DUPLICATE, () -> askAtRest(known -> known.group().duplicate()))
                 .onKey(Key.C, DUPLICATE, () -> askAtRest(known -> known.group().duplicate()))
-                .onChord(
-                        Key.A, "editor: all", () -> askAtRest(known -> known.group().selectAll()))
-                .onKey(
-                        Key.G, "editor: put down", () -> askAtRest(known -> known.group().drop()))
+                .onChord(Key.A, "editor: all", () -> askAtRest(known -> known.group().selectAll()))
+                .onKey(Key.G, "editor: put down", () -> askAtRest(known -> known.group().drop()))
                 .onKey(Key.T, "editor: move, turn, scale", () -> askAtRest(known -> nextTool()))
                 .onKey(Key.F, "editor: look at it", () -> askAtRest(known -> frames = true))
                 .onKey(Key.DELETE, "editor: delete", () -> askAtRest(Editor::delete));
@@ -153,6 +153,24 @@ public final class EditorPanels {
         }
     }
 
+    /**
+     * Takes the files that were dropped into the window: a scene is loaded, a mesh placed under the
+     * cursor, a picture put on what is there. Once a frame, also while the editor is closed.
+     *
+     * @param view what the frame shows
+     * @param entities the world's entity for each of the scene's, in its order
+     */
+    public void dropped(View view, long[] entities) {
+        List<Path> files = view.dropped();
+        for (int i = 0; i < files.size(); i++) {
+            if (editor.mode() == Editor.Mode.CLOSED) {
+                editor.open();
+            }
+            editor.stop();
+            mouse.dropped(view, entities, files.get(i));
+        }
+    }
+
     /** Saves the scene under the name in the panel. Window thread. */
     public void save() {
         editor.files().save(fileName);
@@ -171,6 +189,9 @@ public final class EditorPanels {
             }
             case PLAYING -> editor.stop();
             case REST -> {
+                if (chooser.dismiss()) {
+                    return true;
+                }
                 EditorJoints joints = editor.joints();
                 boolean isFree = editor.selected() == Editor.NOTHING;
                 if (joints.awaited() != EditorJoints.Click.NONE) {
@@ -244,6 +265,15 @@ public final class EditorPanels {
             joint.draw(ui, right, GAP, LEFT_WIDTH, height);
         }
         lines.draw(view, editor);
+        Path chosenFile = chooser.draw(ui);
+        if (chosenFile != null) {
+            if (chosenFile.toString().endsWith(".json")) {
+                editor.files().load(chosenFile.toString());
+            } else {
+                editor.placeMesh(
+                        editor.files().relative(chosenFile), mouse.free(view, Supply.ANY_MESH));
+            }
+        }
         seal();
     }
 
@@ -307,12 +337,15 @@ public final class EditorPanels {
         ui.text(label == null ? "nothing to undo" : label);
         tools(ui);
         fileName = ui.textField("file", fileName);
-        ui.columns(3);
+        ui.columns(2);
         if (ui.button("Save")) {
             save();
         }
         if (ui.button("Load")) {
             editor.files().load(fileName);
+        }
+        if (ui.button("Open...")) {
+            chooser.show("Open a scene", editor.files().folder(), ".json");
         }
         if (ui.button("Keep view")) {
             keepView(view.camera());
@@ -336,10 +369,14 @@ public final class EditorPanels {
             }
         }
         meshName = ui.textField("mesh (.obj)", meshName);
-        ui.columns(1);
+        ui.columns(2);
+        if (ui.button("Choose...")) {
+            chooser.show("Choose a mesh", editor.files().folder(), ".obj");
+        }
         if (ui.button("Place mesh")) {
             editor.placeMesh(meshName, mouse.free(view, Supply.ANY_MESH));
         }
+        ui.columns(1);
         mouse.snaps(ui.checkbox("snap: 0.25 m, 15 degrees", mouse.snaps()));
     }
 

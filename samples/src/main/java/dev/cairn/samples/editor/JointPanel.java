@@ -135,7 +135,8 @@ final class JointPanel {
             }
         }
         Xyz axis = fields.xyz(ui, "axis", old.axis());
-        int chosen = ui.choice("turn it", EntityPanel.AXES, EntityPanel.DIRECTIONS.indexOf(old.axis()));
+        int chosen =
+                ui.choice("turn it", EntityPanel.AXES, EntityPanel.DIRECTIONS.indexOf(old.axis()));
         if (chosen >= 0 && axis == old.axis()) {
             Xyz direction = EntityPanel.DIRECTIONS.get(chosen);
             axis = direction.equals(axis) ? axis : direction;

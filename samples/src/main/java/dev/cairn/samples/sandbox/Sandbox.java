@@ -18,7 +18,7 @@ import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.UsageException;
 import dev.cairn.samples.editor.Editor;
 import dev.cairn.samples.editor.EditorPanels;
-import dev.cairn.samples.editor.LeaveQuestion;
+import dev.cairn.samples.editor.files.LeaveQuestion;
 import dev.cairn.samples.replay.Act.What;
 import dev.cairn.samples.replay.Looks;
 import dev.cairn.samples.replay.RunFile;
@@ -450,6 +450,7 @@ public class Sandbox extends Application {
     protected void panels(Ui ui, View view) {
         SandboxState state = states.latest();
         aspect = view.aspect();
+        editorPanels.dropped(view, state.entities);
         showJoints(editor.mode() == Editor.Mode.REST);
         if (editor.mode() == Editor.Mode.CLOSED) {
             panels.draw(ui, view, state);

@@ -3,7 +3,7 @@ package dev.cairn.samples.sandbox;
 import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.render.app.View;
 import dev.cairn.render.ui.Ui;
-import dev.cairn.samples.editor.LeaveQuestion;
+import dev.cairn.samples.editor.files.LeaveQuestion;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenes.stack.StackOfBoxes;
 
@@ -28,6 +28,9 @@ final class EditorProbe extends Sandbox {
                     "half-space",
                     "Save",
                     "Turn",
+                    "Open...",
+                    "other.json",
+                    "below/",
                     "Scale",
                     "Load",
                     "New joint",
@@ -66,7 +69,7 @@ final class EditorProbe extends Sandbox {
                                 + " selected=%d selectedX=%s selectedY=%s seenY=%.6f bytes=%d"
                                 + " asked=%b shortened=%d eyeZ=%.6f bodyX=%.6f bodyY=%.6f joints=%d"
                                 + " joint=%d awaited=%s count=%d tool=%s selectedZ=%s"
-                                + " turnY=%.6f scaleX=%.6f scaleY=%.6f lowestY=%.6f",
+                                + " texture=%s turnY=%.6f scaleX=%.6f scaleY=%.6f lowestY=%.6f",
                         view.frames(),
                         editor().mode(),
                         state.tick,
@@ -90,6 +93,7 @@ final class EditorProbe extends Sandbox {
                         editor().selection().length,
                         editorPanels().gizmo().mode(),
                         chosen == null ? "NaN" : chosen.position().z(),
+                        chosen == null ? "" : chosen.look().texture(),
                         chosen == null ? 0 : 2 * Math.asin(chosen.rotation().y()),
                         chosen == null ? 0 : chosen.scale().x(),
                         chosen == null ? 0 : chosen.scale().y(),

@@ -3,7 +3,7 @@ package dev.cairn.samples.sandbox;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.samples.editor.LeaveQuestion;
+import dev.cairn.samples.editor.files.LeaveQuestion;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneReader;

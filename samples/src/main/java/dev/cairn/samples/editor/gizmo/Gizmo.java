@@ -197,7 +197,8 @@ public final class Gizmo {
     }
 
     private static Xyz along(int axis, double value, double other) {
-        return new Xyz(axis == 0 ? value : other, axis == 1 ? value : other, axis == 2 ? value : other);
+        return new Xyz(
+                axis == 0 ? value : other, axis == 1 ? value : other, axis == 2 ? value : other);
     }
 
     /** Middle of what is selected, and the axes of the handles; false without anything. */
@@ -387,8 +388,7 @@ public final class Gizmo {
         }
     }
 
-    private void line(
-            View view, double from, double to, Vector3d a, int rgb, double width) {
+    private void line(View view, double from, double to, Vector3d a, int rgb, double width) {
         view.lineOver(
                 centre.x + from * a.x,
                 centre.y + from * a.y,

@@ -85,9 +85,7 @@ public final class GroupEdit {
                     Quaterniond turned =
                             new Quaterniond(q).mul(quaternion(e.rotation())).normalize();
                     Vector3d arm = q.transform(from(about, e.position()));
-                    return e.at(
-                            sum(about, arm),
-                            new Turn(turned.x, turned.y, turned.z, turned.w));
+                    return e.at(sum(about, arm), new Turn(turned.x, turned.y, turned.z, turned.w));
                 });
     }
 

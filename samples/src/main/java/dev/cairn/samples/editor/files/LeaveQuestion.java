@@ -1,6 +1,8 @@
-package dev.cairn.samples.editor;
+package dev.cairn.samples.editor.files;
 
 import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.editor.Editor;
+import dev.cairn.samples.editor.EditorPanels;
 
 /** Asks before a window with unsaved edits is closed. Window thread. */
 public final class LeaveQuestion {
