@@ -225,6 +225,13 @@ public interface Ui {
     int shortened();
 
     /**
+     * How many pairs of panels overlapped in the last frame, for tests.
+     *
+     * @return the count
+     */
+    int overlapping();
+
+    /**
      * Where a widget was drawn last, for tests and guided tours.
      *
      * @param label what was passed to the call that drew it

@@ -8,6 +8,7 @@ import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.editor.files.FileChooser;
 import dev.cairn.samples.editor.gizmo.Gizmo;
+import dev.cairn.samples.panel.Places;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.Turn;
@@ -29,9 +30,11 @@ import java.util.function.Consumer;
  * bound to the simulation thread, reach it by {@link #ask}.
  */
 public final class EditorPanels {
-    private static final double GAP = 10;
-    private static final double LEFT_WIDTH = 290;
-    private static final double PLAYING_HEIGHT = 150;
+    private static final double GAP = Places.GAP;
+    private static final double LEFT_WIDTH = Places.WIDTH;
+    /** Height of what is shown while the scene runs, logical pixels. */
+    public static final double PLAYING_HEIGHT = 150;
+
     private static final Gizmo.Mode[] MODES = Gizmo.Mode.values();
     private static final String[] TOOLS = {"Move", "Turn", "Scale"};
     private static final String[] CHOSEN_TOOLS = {"[Move]", "[Turn]", "[Scale]"};
@@ -120,7 +123,7 @@ public final class EditorPanels {
                 .onKey(Key.C, DUPLICATE, () -> askAtRest(known -> known.group().duplicate()))
                 .onChord(Key.A, "editor: all", () -> askAtRest(known -> known.group().selectAll()))
                 .onKey(Key.G, "editor: put down", () -> askAtRest(known -> known.group().drop()))
-                .onKey(Key.T, "editor: move, turn, scale", () -> askAtRest(known -> nextTool()))
+                .onKey(Key.T, "editor: next tool", () -> askAtRest(known -> nextTool()))
                 .onKey(Key.F, "editor: look at it", () -> askAtRest(known -> frames = true))
                 .onKey(Key.DELETE, "editor: delete", () -> askAtRest(Editor::delete));
     }
@@ -246,7 +249,20 @@ public final class EditorPanels {
             Sizes.around(chosen()).frame(view.camera());
         }
         frames = false;
-        double height = ui.height() - 2 * GAP;
+        boolean picks = editor.selectedEntity() != null || editor.joints().selectedJoint() != null;
+        if (!Places.isNarrow(ui) || !picks) {
+            left(ui, view, notes);
+        }
+        if (!Places.isNarrow(ui) || picks) {
+            right(ui);
+        }
+        lines.draw(view, editor);
+        chosenFile(ui, view);
+        seal();
+    }
+
+    private void left(Ui ui, View view, String notes) {
+        double height = Places.height(ui);
         double upper = Math.min(height - 150, 420);
         if (ui.panel("Editor", GAP, GAP, LEFT_WIDTH, upper)) {
             actions(ui, view);
@@ -258,13 +274,20 @@ public final class EditorPanels {
         }
         ui.endPanel();
         list(ui, upper + 2 * GAP, height - upper - GAP);
-        double right = ui.width() - LEFT_WIDTH - GAP;
+    }
+
+    /** Over the first column where there is one only; to let go of what is selected goes back. */
+    private void right(Ui ui) {
+        double right = Places.right(ui);
+        double height = Places.height(ui);
         if (editor.joints().selectedJoint() == null) {
             entity.draw(ui, right, GAP, LEFT_WIDTH, height);
         } else {
             joint.draw(ui, right, GAP, LEFT_WIDTH, height);
         }
-        lines.draw(view, editor);
+    }
+
+    private void chosenFile(Ui ui, View view) {
         Path chosenFile = chooser.draw(ui);
         if (chosenFile != null) {
             if (chosenFile.toString().endsWith(".json")) {
@@ -274,7 +297,6 @@ public final class EditorPanels {
                         editor.files().relative(chosenFile), mouse.free(view, Supply.ANY_MESH));
             }
         }
-        seal();
     }
 
     private List<EntitySpec> chosen() {

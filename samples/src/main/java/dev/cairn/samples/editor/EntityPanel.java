@@ -2,6 +2,7 @@ package dev.cairn.samples.editor;
 
 import dev.cairn.physics.Material;
 import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.panel.Places;
 import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.JointSpec;
@@ -87,6 +88,12 @@ final class EntityPanel {
             }
             if (ui.button("Delete (Del)")) {
                 editor.delete();
+            }
+            if (Places.isNarrow(ui)) {
+                ui.columns(1);
+                if (ui.button("Back (Esc)")) {
+                    editor.select(Editor.NOTHING);
+                }
             }
             if (entity.body() != BodyKind.NONE) {
                 newJoint(ui);

@@ -7,6 +7,8 @@ import dev.cairn.render.input.Pointer;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
+import dev.cairn.samples.editor.EditorPanels;
+import dev.cairn.samples.panel.Places;
 
 import org.joml.Vector3d;
 
@@ -17,8 +19,12 @@ import java.util.Map;
 
 /** The panels of the sandbox. Window thread; acts on the world by posting only. */
 final class SandboxPanels {
-    private static final double GAP = 10;
-    private static final double LEFT_WIDTH = 290;
+    private static final double GAP = Places.GAP;
+    private static final double LEFT_WIDTH = Places.WIDTH;
+    private static final double TABS_HEIGHT = 76;
+    private static final int WORLD_TAB = 2;
+    private static final String[] TABS = {"Scenes", "Scene", "World"};
+    private static final String[] CHOSEN_TABS = {"[Scenes]", "[Scene]", "[World]"};
     private static final int ROPE = 0xFFE082;
     private static final long DOUBLE_NANOS = 400_000_000;
     private static final int PROBLEM = 0xFF7A7A;
@@ -32,6 +38,7 @@ final class SandboxPanels {
     /** Values that were asked for and may not have come back from the simulation yet. */
     private final Map<String, Double> asked = new HashMap<>();
 
+    private int tab;
     private int shownScene = -1;
     private long pressedEntity;
     private long pressedNanos;
@@ -67,11 +74,16 @@ final class SandboxPanels {
             shownScene = state.scene;
             asked.clear();
         }
-        double height = ui.height() - 2 * GAP;
-        double listHeight = Math.max(160, height * 0.5);
-        scenes(ui, state, listHeight);
-        chosen(ui, state, listHeight + 2 * GAP, height - listHeight - GAP);
-        simulation.draw(ui, view, state, height, false);
+        if (Places.isNarrow(ui)) {
+            oneOfThree(ui, view, state);
+        } else {
+            tab = WORLD_TAB; // where the buttons are that make the window narrow
+            double height = Places.height(ui);
+            double listHeight = Math.max(160, height * 0.5);
+            scenes(ui, state, GAP, listHeight);
+            chosen(ui, state, listHeight + 2 * GAP, height - listHeight - GAP);
+            simulation.draw(ui, view, state, GAP, false);
+        }
         time.draw(ui, state);
     }
 
@@ -80,7 +92,28 @@ final class SandboxPanels {
         hand(view, state);
         time.ghosts(view, state);
         time.draw(ui, state);
-        simulation.draw(ui, view, state, ui.height() - 2 * GAP, true);
+        double above = Places.isNarrow(ui) ? EditorPanels.PLAYING_HEIGHT + GAP : 0;
+        simulation.draw(ui, view, state, GAP + above, true);
+    }
+
+    /** Where there is room for one column: the panels take turns. */
+    private void oneOfThree(Ui ui, View view, SandboxState state) {
+        if (ui.panel("Cairn", GAP, GAP, LEFT_WIDTH, TABS_HEIGHT)) {
+            ui.columns(3);
+            for (int i = 0; i < TABS.length; i++) {
+                if (ui.button(i == tab ? CHOSEN_TABS[i] : TABS[i])) {
+                    tab = i;
+                }
+            }
+        }
+        ui.endPanel();
+        double top = TABS_HEIGHT + 2 * GAP;
+        double height = ui.height() - top - GAP;
+        switch (tab) {
+            case 0 -> scenes(ui, state, top, height);
+            case 1 -> chosen(ui, state, top, height);
+            default -> simulation.draw(ui, view, state, top, false);
+        }
     }
 
     // The hand ---------------------------------------------------------------------------------
@@ -133,8 +166,8 @@ final class SandboxPanels {
 
     // Left -------------------------------------------------------------------------------------
 
-    private void scenes(Ui ui, SandboxState state, double height) {
-        if (ui.panel("Scenes", GAP, GAP, LEFT_WIDTH, height)) {
+    private void scenes(Ui ui, SandboxState state, double top, double height) {
+        if (ui.panel("Scenes", GAP, top, LEFT_WIDTH, height)) {
             // By index: an iterator would be garbage of every frame.
             for (int g = 0; g < groups.size(); g++) {
                 String group = groups.get(g);

@@ -7,13 +7,12 @@ import dev.cairn.render.app.View;
 import dev.cairn.render.camera.Effects;
 import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.panel.Places;
 
 import java.util.Locale;
 
 /** The sandbox's panel on the right: time, plots, debug drawing, solver, ball, window, keys. */
 final class SimulationPanel {
-    private static final double GAP = 10;
-    private static final double WIDTH = 290;
     private static final double SLOWEST = 1.0 / 64;
     private static final double FASTEST = 16;
     private static final int MOST_SUBSTEPS = 32;
@@ -45,8 +44,9 @@ final class SimulationPanel {
         this.keys = new KeyRows(sandbox);
     }
 
-    void draw(Ui ui, View view, SandboxState state, double height, boolean edited) {
-        if (ui.panel("Simulation", ui.width() - WIDTH - GAP, GAP, WIDTH, height)) {
+    void draw(Ui ui, View view, SandboxState state, double top, boolean edited) {
+        double height = ui.height() - Places.GAP - top;
+        if (ui.panel("Simulation", Places.right(ui), top, Places.WIDTH, height)) {
             controls(ui, view, state);
             if (ui.section("Plots", false)) {
                 plots(ui, state.history);

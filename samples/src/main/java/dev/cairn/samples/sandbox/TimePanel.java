@@ -3,6 +3,7 @@ package dev.cairn.samples.sandbox;
 import dev.cairn.render.app.View;
 import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.panel.Places;
 
 /** The bar of time at the lower edge of the window. Window thread. */
 final class TimePanel {
@@ -11,12 +12,18 @@ final class TimePanel {
     static final String RETURN = "Return (L)";
     static final String FORGET = "Forget";
     private static final double GAP = 10;
+
+    /** Narrower than this three buttons have no room beside each other. */
+    private static final double LEAST_FOR_THREE = 300;
+
+    private static final double ROW = 29;
     private static final double SIDE = 310;
     private static final double HEIGHT = 108;
     private static final double KEPT_HEIGHT = 172;
 
     private final Sandbox sandbox;
     private final TextBuffer text = new TextBuffer();
+    private int columns = 3;
     private boolean holding;
     private boolean goesOn;
     private long asked = -1;
@@ -34,9 +41,12 @@ final class TimePanel {
     }
 
     void draw(Ui ui, SandboxState state) {
-        double height = state.keptTick < 0 ? HEIGHT : KEPT_HEIGHT;
-        double width = Math.clamp(ui.width() - 2 * SIDE, 300, 720);
-        double left = (ui.width() - width) / 2;
+        boolean narrow = Places.isNarrow(ui);
+        double room = ui.width() - (narrow ? SIDE + GAP : 2 * SIDE);
+        double width = Math.clamp(room, 120, 720);
+        columns = width < LEAST_FOR_THREE ? 2 : 3;
+        double height = (state.keptTick < 0 ? HEIGHT : KEPT_HEIGHT) + (3 - columns) * ROW;
+        double left = narrow ? SIDE : (ui.width() - width) / 2;
         if (ui.panel("Time", left, ui.height() - height - GAP, width, height)) {
             bar(ui, state);
             buttons(ui, state);
@@ -74,7 +84,7 @@ final class TimePanel {
     }
 
     private void buttons(Ui ui, SandboxState state) {
-        ui.columns(3);
+        ui.columns(columns);
         if (ui.button("Back (,)")) {
             sandbox.post(sandbox.time()::back);
         }

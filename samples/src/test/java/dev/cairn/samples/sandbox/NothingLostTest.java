@@ -124,10 +124,17 @@ class NothingLostTest extends WindowFixture {
         click("Window");
         await("the buttons of the scales", seen -> seen.values().containsKey("1.5X"));
         for (String scale : new String[] {"1.5", "2"}) {
+            while (now().number(scale + "Y") > now().number("uiHeight") - 20) {
+                moveTo(150 * now().number("uiScale"), 300 * now().number("uiScale"));
+                type("click", "5"); // where there is one column, the buttons are below the edge
+                settle();
+            }
             click(scale);
             await(scale, seen -> seen.number("uiScale") == Double.parseDouble(scale));
             settle();
             assertEquals(0, now().number("shortened"), last);
+            assertEquals(0, now().number("overlapping"), last);
+            look("sandbox-" + scale);
             type("key", "F1");
             await("the list of keys", seen -> seen.flag("help"));
             settle();
@@ -140,6 +147,7 @@ class NothingLostTest extends WindowFixture {
             click("box");
             settle();
             look("editor-" + scale);
+            assertEquals(0, now().number("overlapping"), "the editor: " + last);
             assertEquals(0, now().number("shortened"), "the editor: " + last);
             type("key", "F2");
             await("the scene", seen -> !seen.flag("paused"));

@@ -65,7 +65,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private boolean editing;
     private boolean wasEditing;
     private boolean endsEditing;
-    private int shortenedBefore;
+    private final UiPanels panels = new UiPanels();
     private boolean panelOpen;
     private int columns;
     private int cell;
@@ -128,8 +128,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
         pixelWidth = width;
         pixelHeight = height;
         editing = false;
-        shortenedBefore = letters.shortened();
         letters.nextFrame();
+        panels.nextFrame();
     }
 
     /** Draws all panels into the bound framebuffer and forgets them. */
@@ -163,6 +163,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
         panelNow = title;
         rect.set(px(left), px(top), px(Math.max(panelWidth, 1)), px(Math.max(panelHeight, 1)));
         remember(title, left, top, panelWidth, panelHeight);
+        panels.add(left, top, panelWidth, panelHeight);
         nk_style_push_font(context, font.title());
         panelOpen =
                 nnk_begin(
@@ -171,7 +172,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
                         rect.address(),
                         NK_WINDOW_TITLE | NK_WINDOW_BORDER | NK_WINDOW_MINIMIZABLE);
         nk_style_pop_font(context);
-        endColumns();
+        columns(1);
         return panelOpen;
     }
 
@@ -190,11 +191,6 @@ public final class NuklearUi implements Ui, AutoCloseable {
         cell = 0;
     }
 
-    private void endColumns() {
-        columns = 1;
-        cell = 0;
-    }
-
     /** Starts a row where the last one is full. */
     private void cell(double height) {
         if (cell % columns == 0) {
@@ -204,7 +200,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     }
 
     private void row(double height, int count, long shares) {
-        endColumns();
+        columns(1);
         nnk_layout_row(context.address(), NK_DYNAMIC, px(height), count, shares);
     }
 
@@ -262,7 +258,12 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public int shortened() {
-        return shortenedBefore;
+        return letters.shortened();
+    }
+
+    @Override
+    public int overlapping() {
+        return panels.overlapping();
     }
 
     @Override
@@ -286,7 +287,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public void heading(CharSequence text) {
-        endColumns();
+        columns(1);
         nk_layout_row_dynamic(context, px(ROW), 1);
         nk_style_push_font(context, font.title());
         write(text, UiStyle.ACCENT, NK_TEXT_LEFT);
@@ -295,7 +296,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public void text(CharSequence text) {
-        endColumns();
+        columns(1);
         // Padding, border and scroll bar of a panel, and what an open section is set in.
         double width = nk_window_get_width(context) - 36 * scale;
         int rows = UiText.rows(text, font.regularWidths(), width);
@@ -413,7 +414,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public boolean section(String title, boolean open) {
-        endColumns();
+        columns(1);
         remember(title);
         return nnk_tree_state_push(
                 context.address(), NK_TREE_TAB, letters.of(title), sections.state(title, open));
@@ -431,7 +432,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     @Override
     public void endSection() {
         nk_tree_state_pop(context);
-        endColumns();
+        columns(1);
     }
 
     @Override

@@ -12,15 +12,17 @@ final class UiText implements AutoCloseable {
     private final NativeText letters = new NativeText();
     private final TextBuffer shorter = new TextBuffer();
     private int shortened;
+    private int before;
 
     /** Begins to count. */
     void nextFrame() {
+        before = shortened;
         shortened = 0;
     }
 
-    /** How many texts did not fit since {@link #nextFrame}. */
+    /** How many texts did not fit in the last whole frame. */
     int shortened() {
-        return shortened;
+        return before;
     }
 
     /** The whole text; see {@link NativeText#of}. */
