@@ -15,6 +15,9 @@ public final class Palette {
     /** A basketball. */
     public static final int BASKETBALL = 0xD9702B;
 
+    /** Glass. */
+    public static final int GLASS = 0xA9CDE4;
+
     private Palette() {}
 
     /**

@@ -11,6 +11,7 @@ import dev.cairn.physics.shape.Shape;
 import dev.cairn.render.camera.Light;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.ModelGroup;
+import dev.cairn.render.mesh.Texture;
 
 import org.jspecify.annotations.Nullable;
 
@@ -186,14 +187,14 @@ public final class SceneBuilder {
     }
 
     /**
-     * Adds a body that is not drawn.
+     * Adds a body of glass: a wall that holds what is behind it, and hides none of it.
      *
      * @param shape its shape
      * @param body all else
      * @return the body in the world
      */
-    public BodyRef addUnseen(Shape shape, Body body) {
-        return remember(world.add(body.shape(shape)));
+    public BodyRef addGlass(Shape shape, Body body) {
+        return add(shape, Model.of(shape).texture(Texture.glass()).color(Palette.GLASS), body);
     }
 
     /**

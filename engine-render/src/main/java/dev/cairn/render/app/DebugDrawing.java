@@ -2,6 +2,8 @@ package dev.cairn.render.app;
 
 import dev.cairn.physics.DebugData;
 import dev.cairn.render.gl.DebugLines;
+import dev.cairn.render.gl.ForceArrows;
+import dev.cairn.render.gl.Tints;
 
 import org.joml.Vector3d;
 
@@ -10,12 +12,10 @@ final class DebugDrawing {
     private static final int CONTACT = 0xFFD23F;
     private static final int OVERLAP = 0xFF4D4D;
     private static final int NORMAL = 0x4FC3F7;
-    private static final int IMPULSE = 0xFF8A3D;
     private static final int BOX = 0x8BC34A;
     private static final int FIXED_BOX = 0x607D8B;
     private static final int VELOCITY = 0xE040FB;
     private static final int CENTRE = 0xFFFFFF;
-    private static final int ASLEEP = 0x5C6BC0;
 
     /** The graph's lines lie inside of the bodies, and would be too faint. */
     private static final double INSIDE = 0.85;
@@ -29,8 +29,8 @@ final class DebugDrawing {
     private DebugDrawing() {}
 
     static void draw(DebugData data, int mask, DebugLines lines) {
-        if (has(mask, DebugLayer.BOXES) || has(mask, DebugLayer.SLEEP)) {
-            boxes(data, mask, lines);
+        if (has(mask, DebugLayer.BOXES)) {
+            boxes(data, lines);
         }
         if (has(mask, DebugLayer.VELOCITIES)) {
             velocities(data, lines);
@@ -50,10 +50,10 @@ final class DebugDrawing {
             graph(data, lines, true);
         }
         if (has(mask, DebugLayer.NORMALS)) {
-            along(data, lines, NORMAL, false);
+            normals(data, lines);
         }
         if (has(mask, DebugLayer.IMPULSES)) {
-            along(data, lines, IMPULSE, true);
+            ForceArrows.draw(data, lines);
         }
         if (has(mask, DebugLayer.JOINTS)) {
             JointDrawing.joints(data.joints(), lines);
@@ -69,6 +69,19 @@ final class DebugDrawing {
         }
     }
 
+    /** What the colours of bodies tell where these layers are shown. */
+    static Tints.Kind tint(int mask) {
+        return has(mask, DebugLayer.LOAD)
+                ? Tints.Kind.LOAD
+                : has(mask, DebugLayer.SPEED)
+                        ? Tints.Kind.SPEED
+                        : has(mask, DebugLayer.SLEEP)
+                                ? Tints.Kind.SLEEP
+                                : has(mask, DebugLayer.ISLANDS)
+                                        ? Tints.Kind.ISLAND
+                                        : Tints.Kind.NONE;
+    }
+
     private static boolean has(int mask, DebugLayer layer) {
         return (mask & layer.bit()) != 0;
     }
@@ -77,16 +90,12 @@ final class DebugDrawing {
         lines.line(at[i], at[i + 1], at[i + 2], at[i], at[i + 1], at[i + 2], rgb, pixels);
     }
 
-    private static void boxes(DebugData data, int mask, DebugLines lines) {
+    private static void boxes(DebugData data, DebugLines lines) {
         double[] box = data.boxes();
         for (int i = 0; i < data.bodyCount(); i++) {
             byte state = data.states()[i];
-            boolean sleeps = state == DebugData.ASLEEP && has(mask, DebugLayer.SLEEP);
-            if (sleeps || has(mask, DebugLayer.BOXES)) {
-                boolean moves = state == DebugData.AWAKE || state == DebugData.ASLEEP;
-                int rgb = sleeps ? ASLEEP : moves ? BOX : FIXED_BOX;
-                lines.box(box, 6 * i, rgb, sleeps ? 1.5 : 0.75);
-            }
+            boolean moves = state == DebugData.AWAKE || state == DebugData.ASLEEP;
+            lines.box(box, 6 * i, moves ? BOX : FIXED_BOX, 0.75);
         }
     }
 
@@ -106,7 +115,7 @@ final class DebugDrawing {
             if (which == DebugData.NONE) {
                 continue;
             }
-            int rgb = distinct(which);
+            int rgb = Tints.distinct(which);
             for (int end = 0; end < 2; end++) {
                 int body = end == 0 ? a : b;
                 if (data.islands()[body] != DebugData.NONE) {
@@ -124,26 +133,6 @@ final class DebugDrawing {
             }
         }
         lines.hidden(DebugLines.HIDDEN);
-        if (!byColour) {
-            for (int i = 0; i < data.bodyCount(); i++) {
-                if (data.islands()[i] != DebugData.NONE) {
-                    lines.box(data.boxes(), 6 * i, distinct(data.islands()[i]), 1);
-                }
-            }
-        }
-    }
-
-    /** Colours that differ from their neighbours: hues a golden angle apart. */
-    static int distinct(int index) {
-        double hue = 6 * (index * 0.618033988749895 % 1);
-        int rgb = 0;
-        for (int channel = 0; channel < 3; channel++) {
-            // Distance of the hue to the channel's own, round a circle of six.
-            double away = Math.abs((hue - 2 * channel + 9) % 6 - 3);
-            double share = Math.clamp(2 - away, 0.0, 1.0);
-            rgb = rgb << 8 | (int) Math.round(64 + 191 * share);
-        }
-        return rgb;
     }
 
     private static void velocities(DebugData data, DebugLines lines) {
@@ -165,28 +154,20 @@ final class DebugDrawing {
         }
     }
 
-    private static void along(DebugData data, DebugLines lines, int rgb, boolean byImpulse) {
+    private static void normals(DebugData data, DebugLines lines) {
         double[] p = data.points();
         double[] n = data.normals();
-        double[] impulse = data.impulses();
-        double most = 0;
-        for (int i = 0; i < data.pointCount(); i++) {
-            most = Math.max(most, impulse[i]);
-        }
         for (int i = 0; i < data.pointCount(); i++) {
             int at = 3 * i;
-            double length = byImpulse ? impulse[i] / Math.max(most, 1e-300) : NORMAL_METRES;
-            if (length > 0) {
-                lines.line(
-                        p[at],
-                        p[at + 1],
-                        p[at + 2],
-                        p[at] + length * n[at],
-                        p[at + 1] + length * n[at + 1],
-                        p[at + 2] + length * n[at + 2],
-                        rgb,
-                        byImpulse ? 2 : 1.25);
-            }
+            lines.line(
+                    p[at],
+                    p[at + 1],
+                    p[at + 2],
+                    p[at] + NORMAL_METRES * n[at],
+                    p[at + 1] + NORMAL_METRES * n[at + 1],
+                    p[at + 2] + NORMAL_METRES * n[at + 2],
+                    NORMAL,
+                    1.25);
         }
     }
 

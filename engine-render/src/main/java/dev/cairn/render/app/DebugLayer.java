@@ -6,29 +6,31 @@ public enum DebugLayer {
     CONTACTS("contact points", 1),
     /** Contact normals, 0.25 m long, from the first body to the second. */
     NORMALS("contact normals", 2),
-    /** Impulses along the normals; the largest is 1 m long. */
-    IMPULSES("impulses", 4),
+    /** Arrows: how hard bodies push each other, on the second one; the largest is 1 m long. */
+    IMPULSES("contact forces", 4),
     /** The boxes by which the broad phase finds neighbours, margin included. */
-    BOXES("broad-phase boxes", 8),
+    BOXES("search boxes", 8),
     /** Velocities: where the centre of mass would be in a quarter of a second. */
     VELOCITIES("velocities", 16),
     /** Centres of mass. */
     CENTRES("centres of mass", 32),
-    /** Boxes around bodies that sleep. */
-    SLEEP("sleeping bodies", 64),
-    /**
-     * Islands: bodies that hang together by contacts, joined by lines of one colour, each in a box.
-     */
-    ISLANDS("islands", 128),
+    /** Bodies that sleep are blue. */
+    SLEEP("colour: sleep", 64),
+    /** Bodies that hang together by contacts have one colour, and are joined by lines of it. */
+    ISLANDS("colour: island", 128),
     /** The constraint graph: a line for each contact, in the colour in which it is solved. */
-    COLOURS("colours of the constraint graph", 256),
+    COLOURS("order of solving", 256),
     /**
      * Joints: from the centres of mass to the joint's points, its axis, and its limits as a
      * segment, an arc or a cone with where it stands; grey where it is off.
      */
-    JOINTS("joints and their limits", 512),
+    JOINTS("joints, limits", 512),
     /** Forces of joints on the second body, and torques; the largest of each is 1 m long. */
-    JOINT_FORCES("forces of joints", 1024);
+    JOINT_FORCES("joint forces", 1024),
+    /** Bodies from blue (at rest) over white (3 m/s) to red. */
+    SPEED("colour: speed", 2048),
+    /** Bodies from blue to red by how hard contacts push them; red is who is pushed most. */
+    LOAD("colour: load", 4096);
 
     private final String title;
     private final int bit;

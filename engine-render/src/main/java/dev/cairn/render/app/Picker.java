@@ -45,7 +45,7 @@ final class Picker {
         Vector3d local = new Vector3d();
         for (int row = 0; row < snapshot.size(); row++) {
             Model model = modelOf(snapshot.model(row));
-            if (model == null) {
+            if (model == null || model.texture().opacity() < 1) {
                 continue;
             }
             pose(snapshot, row, alpha);

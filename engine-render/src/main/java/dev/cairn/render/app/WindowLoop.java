@@ -123,6 +123,7 @@ final class WindowLoop {
 
     private void frame(SceneRenderer renderer, DebugLines lines, long window, double elapsed) {
         renderer.effects(chosenEffects());
+        renderer.tint(DebugDrawing.tint(application.debugMask()));
         FrameTarget into = target(size(0), size(1));
         PoseSnapshot snapshot = simulation.exchange().latest();
         Scene scene = application.sceneOrNull();

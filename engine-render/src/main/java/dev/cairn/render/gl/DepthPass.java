@@ -95,7 +95,9 @@ final class DepthPass implements AutoCloseable {
         ShaderProgram.set(matrixUniform, clipFromAnchored);
         ShaderProgram.set(alphaUniform, alpha);
         for (int b = 0; b < pass.batches(); b++) {
-            pass.draw(b);
+            if (pass.isSolid(b)) {
+                pass.draw(b);
+            }
         }
     }
 

@@ -79,6 +79,8 @@ final class Instances implements AutoCloseable {
     private long uploadedTick;
     private long uploadedNanos;
     private int uploads;
+    private final Tints tints = new Tints();
+    private Tints.Kind tinted = Tints.Kind.NONE;
 
     /**
      * Brings the lists up to a snapshot.
@@ -86,8 +88,9 @@ final class Instances implements AutoCloseable {
      * @param snapshot what to draw
      * @param eye where the camera is, world
      * @param casterLimit models larger than this do not count for {@link #castersMin}, m
+     * @param tint what the colours of bodies tell
      */
-    void update(PoseSnapshot snapshot, Vector3d eye, double casterLimit) {
+    void update(PoseSnapshot snapshot, Vector3d eye, double casterLimit, Tints.Kind tint) {
         boolean moved = placeAnchor(eye);
         boolean fresh =
                 uploaded != snapshot
@@ -96,7 +99,8 @@ final class Instances implements AutoCloseable {
         if (fresh && layoutChanged(snapshot)) {
             arrange(snapshot);
         }
-        if (fresh || moved) {
+        if (fresh || moved || tint != tinted) {
+            tinted = tint;
             upload(snapshot, casterLimit);
             uploaded = snapshot;
             uploadedTick = snapshot.tick();
@@ -318,6 +322,7 @@ final class Instances implements AutoCloseable {
             staging = MemoryUtil.memAllocFloat(Math.max(floats, 2 * staging.capacity()));
             stagingAddress = MemoryUtil.memAddress(staging);
         }
+        float[] tint = tints.of(snapshot, tinted);
         double[] previous = snapshot.previous();
         double[] current = snapshot.current();
         double ax = anchor.x;
@@ -332,6 +337,7 @@ final class Instances implements AutoCloseable {
             double cy = current[from + 1] - ay;
             double cz = current[from + 2] - az;
             putPose(row * MOTION_FLOATS, px, py, pz, previous, from);
+            staging.put(row * MOTION_FLOATS + 3, tint[row]);
             putPose(row * MOTION_FLOATS + 8, cx, cy, cz, current, from);
             double dx = 0.5 * (cx - px);
             double dy = 0.5 * (cy - py);

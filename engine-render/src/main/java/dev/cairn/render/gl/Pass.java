@@ -147,6 +147,11 @@ final class Pass implements AutoCloseable {
         return visible[b] > 0;
     }
 
+    /** Whether nothing is seen through a batch. */
+    boolean isSolid(int b) {
+        return instances.batch(b).texture.opacity() == 1;
+    }
+
     /** How many instances the pass draws. */
     int drawn() {
         return drawn;

@@ -1,17 +1,23 @@
 package dev.cairn.render.gl;
 
 import static org.lwjgl.opengl.GL11.GL_BACK;
+import static org.lwjgl.opengl.GL11.GL_BLEND;
 import static org.lwjgl.opengl.GL11.GL_COLOR_BUFFER_BIT;
 import static org.lwjgl.opengl.GL11.GL_CULL_FACE;
 import static org.lwjgl.opengl.GL11.GL_DEPTH_BUFFER_BIT;
 import static org.lwjgl.opengl.GL11.GL_DEPTH_TEST;
 import static org.lwjgl.opengl.GL11.GL_LEQUAL;
 import static org.lwjgl.opengl.GL11.GL_NEAREST;
+import static org.lwjgl.opengl.GL11.GL_ONE;
+import static org.lwjgl.opengl.GL11.GL_ONE_MINUS_SRC_ALPHA;
+import static org.lwjgl.opengl.GL11.GL_SRC_ALPHA;
 import static org.lwjgl.opengl.GL11.GL_TRIANGLES;
 import static org.lwjgl.opengl.GL11.glClear;
 import static org.lwjgl.opengl.GL11.glClearColor;
 import static org.lwjgl.opengl.GL11.glCullFace;
 import static org.lwjgl.opengl.GL11.glDepthFunc;
+import static org.lwjgl.opengl.GL11.glDepthMask;
+import static org.lwjgl.opengl.GL11.glDisable;
 import static org.lwjgl.opengl.GL11.glDrawArrays;
 import static org.lwjgl.opengl.GL11.glEnable;
 import static org.lwjgl.opengl.GL11.glViewport;
@@ -19,6 +25,7 @@ import static org.lwjgl.opengl.GL12.GL_CLAMP_TO_EDGE;
 import static org.lwjgl.opengl.GL13.GL_TEXTURE0;
 import static org.lwjgl.opengl.GL13.GL_TEXTURE1;
 import static org.lwjgl.opengl.GL13.glActiveTexture;
+import static org.lwjgl.opengl.GL14.glBlendFuncSeparate;
 import static org.lwjgl.opengl.GL30.glBindVertexArray;
 
 import dev.cairn.core.snapshot.PoseSnapshot;
@@ -51,6 +58,8 @@ public final class SceneRenderer implements AutoCloseable {
     private @Nullable ShadowMap shadowMap;
     private @Nullable SceneOverlay overlay;
 
+    private Tints.Kind tint = Tints.Kind.NONE;
+    private int glassBatches;
     private final Vector3d eye = new Vector3d();
     private final Vector3d forward = new Vector3d();
     private final Vector3d right = new Vector3d();
@@ -103,7 +112,7 @@ public final class SceneRenderer implements AutoCloseable {
         ride(snapshot, alpha, camera);
         camera.position(eye);
         camera.forward(forward);
-        instances.update(snapshot, eye, ShadowMap.CASTER_LIMIT);
+        instances.update(snapshot, eye, ShadowMap.CASTER_LIMIT, tint);
         Vector3d anchor = instances.anchor();
         eye.sub(anchor);
         sun.set(light.sunX(), light.sunY(), light.sunZ()).normalize();
@@ -129,6 +138,7 @@ public final class SceneRenderer implements AutoCloseable {
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         drawScene(alpha, light, shadows, camera, aspect);
         drawSky(camera, aspect, light);
+        drawGlass();
         if (overlay != null) {
             overlay.draw(clipFromAnchored, anchor, target.width(), target.height());
         }
@@ -201,14 +211,44 @@ public final class SceneRenderer implements AutoCloseable {
         glActiveTexture(GL_TEXTURE1);
         uniforms.setShadows(shadows);
         glActiveTexture(GL_TEXTURE0);
+        glassBatches = drawBatches(true);
+    }
+
+    /**
+     * Draws the batches that are solid, or the others.
+     *
+     * @return how many there are of the others
+     */
+    private int drawBatches(boolean solid) {
+        int others = 0;
         for (int b = 0; b < pass.batches(); b++) {
             GpuTexture texture = instances.batch(b).gpuTexture;
-            if (texture != null && pass.isVisible(b)) {
+            if (texture == null || !pass.isVisible(b)) {
+                continue;
+            }
+            if (pass.isSolid(b) == solid) {
                 texture.bind();
-                uniforms.setTexture(instances.batch(b).texture);
+                programs.uniforms.setTexture(instances.batch(b).texture);
                 pass.draw(b);
+            } else {
+                others++;
             }
         }
+        return others;
+    }
+
+    /** After all that may be seen through it. */
+    private void drawGlass() {
+        if (glassBatches == 0) {
+            return;
+        }
+        programs.scene.use();
+        glEnable(GL_BLEND);
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        glDepthMask(false);
+        drawBatches(false);
+        glDepthMask(true);
+        glDisable(GL_BLEND);
     }
 
     private void drawSky(Camera camera, double aspect, Light light) {
@@ -225,6 +265,15 @@ public final class SceneRenderer implements AutoCloseable {
         SceneUniforms.setColour(sky.horizon, light.horizonRgb());
         glBindVertexArray(emptyVertexArray);
         glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+
+    /**
+     * Chooses what the colours of bodies tell, where snapshots bring debug data.
+     *
+     * @param value which; {@code NONE} for their own colours
+     */
+    public void tint(Tints.Kind value) {
+        tint = value;
     }
 
     /**

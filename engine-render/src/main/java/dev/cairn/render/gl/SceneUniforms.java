@@ -42,6 +42,7 @@ final class SceneUniforms {
     private final int anchoredFromClip;
     private final int occlusionReach;
     private final int finish;
+    private final int opacity;
     private final Matrix4d inverse = new Matrix4d();
 
     SceneUniforms(ShaderProgram program) {
@@ -68,6 +69,7 @@ final class SceneUniforms {
         anchoredFromClip = program.uniformIfUsed("anchoredFromClip");
         occlusionReach = program.uniformIfUsed("occlusionReach");
         finish = program.uniformIfUsed("finish");
+        opacity = program.uniform("opacity");
     }
 
     void set(
@@ -122,6 +124,7 @@ final class SceneUniforms {
     void setTexture(Texture texture) {
         ShaderProgram.set(tileMetres, texture.tileMetres());
         ShaderProgram.set(finish, texture.roughness(), texture.metal());
+        ShaderProgram.set(opacity, texture.opacity());
     }
 
     static void setColour(int uniform, int rgb) {

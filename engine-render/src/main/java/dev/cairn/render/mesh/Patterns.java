@@ -8,6 +8,8 @@ final class Patterns {
     static final Texture MISSING = missing(64);
     static final Texture METAL = Texture.WHITE.finish(0.25, 1);
 
+    static final Texture GLASS = Texture.WHITE.finish(0.1, 0).opacity(0.16);
+
     private Patterns() {}
 
     private static Texture grid(int size) {

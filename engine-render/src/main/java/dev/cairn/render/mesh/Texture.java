@@ -34,6 +34,7 @@ public final class Texture {
     private final double tileMetres;
     private final double roughness;
     private final double metal;
+    private final double opacity;
 
     private Texture(
             String name,
@@ -42,7 +43,8 @@ public final class Texture {
             int[] argb,
             double tileMetres,
             double roughness,
-            double metal) {
+            double metal,
+            double opacity) {
         this.name = name;
         this.width = width;
         this.height = height;
@@ -50,6 +52,7 @@ public final class Texture {
         this.tileMetres = tileMetres;
         this.roughness = roughness;
         this.metal = metal;
+        this.opacity = opacity;
     }
 
     /**
@@ -85,7 +88,7 @@ public final class Texture {
                             + " * "
                             + height);
         }
-        return new Texture(name, width, height, argb.clone(), 0, ROUGH, 0);
+        return new Texture(name, width, height, argb.clone(), 0, ROUGH, 0, 1);
     }
 
     private static void bound(Path file, long found, String what) {
@@ -201,6 +204,15 @@ public final class Texture {
     }
 
     /**
+     * Clear glass with a breath of the model's colour: what is behind it is seen through it.
+     *
+     * @return the picture
+     */
+    public static Texture glass() {
+        return Patterns.GLASS;
+    }
+
+    /**
      * What is shown where a picture cannot be read: a checker of magenta and black, which nobody
      * takes for the real one.
      *
@@ -223,7 +235,7 @@ public final class Texture {
             throw new IllegalArgumentException(
                     "texture '" + name + "': tile is " + metres + " m, expected >= 0 and finite");
         }
-        return new Texture(name, width, height, argb, metres, roughness, metal);
+        return new Texture(name, width, height, argb, metres, roughness, metal, opacity);
     }
 
     /**
@@ -291,7 +303,32 @@ public final class Texture {
                             + newMetal
                             + ", expected 0.05..1 and 0..1");
         }
-        return new Texture(name, width, height, argb, tileMetres, newRoughness, newMetal);
+        return new Texture(name, width, height, argb, tileMetres, newRoughness, newMetal, opacity);
+    }
+
+    /**
+     * The same picture on a surface that lets light through. What is behind it is seen; it casts no
+     * shadow and cannot be picked.
+     *
+     * @param share 0 (nothing of it is seen) .. 1 (nothing behind it is seen)
+     * @return a copy that shares the pixels
+     * @throws IllegalArgumentException if the number is out of range
+     */
+    public Texture opacity(double share) {
+        if (!(share >= 0 && share <= 1)) {
+            throw new IllegalArgumentException(
+                    "texture '" + name + "': opacity is " + share + ", expected 0..1");
+        }
+        return new Texture(name, width, height, argb, tileMetres, roughness, metal, share);
+    }
+
+    /**
+     * How much of what is behind the surface it hides.
+     *
+     * @return 0..1; 1 for what is solid
+     */
+    public double opacity() {
+        return opacity;
     }
 
     /**
@@ -323,13 +360,14 @@ public final class Texture {
                 && that.argb == argb
                 && that.tileMetres == tileMetres
                 && that.roughness == roughness
-                && that.metal == metal;
+                && that.metal == metal
+                && that.opacity == opacity;
     }
 
     @Override
     public int hashCode() {
         return 31 * (31 * System.identityHashCode(argb) + Double.hashCode(tileMetres))
-                + Double.hashCode(roughness + 2 * metal);
+                + Double.hashCode(roughness + 2 * metal + 4 * opacity);
     }
 
     @Override

@@ -5,7 +5,8 @@ layout(location = 2) in vec2 meshCoordinate;
 // Which of the looks below; per instance, only those that may be seen.
 layout(location = 3) in uint slot;
 
-// Four texels per entity, written once per tick: place and turn at the previous and at the current tick.
+// Four texels per entity, written once per tick: place and turn at the previous and at the current tick. Beside the
+// first place: 0xRRGGBB + 1 in sRGB of what is tinted, else 0.
 uniform samplerBuffer motion;
 // Three texels per slot, written when something appears or goes: scale and entity, origin, colour.
 uniform samplerBuffer look;
@@ -29,6 +30,17 @@ vec4 interpolatedTurn() {
 
 vec3 interpolatedPlace() {
     return mix(texelFetch(motion, motionTexel()).xyz, texelFetch(motion, motionTexel() + 2).xyz, alpha);
+}
+
+// The colour that an instance is tinted with, linear, or its own.
+vec3 tinted(vec3 own) {
+    int code = int(texelFetch(motion, motionTexel()).w);
+    if (code == 0) {
+        return own;
+    }
+    code -= 1;
+    vec3 c = vec3(float(code >> 16), float(code >> 8 & 255), float(code & 255)) / 255.0;
+    return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThan(c, vec3(0.04045))));
 }
 
 vec3 instanceScale() {

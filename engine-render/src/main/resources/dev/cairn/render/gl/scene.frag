@@ -14,6 +14,7 @@ out vec4 pixel;
 uniform sampler2D surface;
 uniform float tileMetres;      // 0 = the mesh's own coordinates
 uniform vec2 finish;           // roughness, share of metal
+uniform float opacity;         // 1 = nothing is seen through it
 uniform vec3 eye;              // anchored
 uniform float hazeMetres;      // 0 = none
 
@@ -84,5 +85,5 @@ void main() {
         light = mix(light, backdrop(anchored - eye), smoothstep(0.6, 1.0, length(from.xz) / fadeMetres));
     }
 #endif
-    pixel = vec4(encoded(light), 1.0);
+    pixel = vec4(encoded(light), opacity);
 }

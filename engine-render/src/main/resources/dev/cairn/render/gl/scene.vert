@@ -18,7 +18,7 @@ void main() {
     coordinate = meshCoordinate;
     tilePosition = meshPosition * instanceScale();
     tileNormal = meshNormal;
-    colour = texelFetch(look, 3 * int(slot) + 2).rgb;
+    colour = tinted(texelFetch(look, 3 * int(slot) + 2).rgb);
 #if HORIZON
     middle = interpolatedPlace();
     fadeMetres = texelFetch(look, 3 * int(slot) + 1).w;

@@ -37,13 +37,14 @@ final class EntityPanel {
                     "builtin:grid",
                     "builtin:panel",
                     "builtin:beach-ball",
-                    "builtin:metal");
+                    "builtin:metal",
+                    "builtin:glass");
     private static final List<String> TEXTURE_NAMES =
-            List.of("of the shape", "plain", "grid", "panel", "beach ball", "metal", "a file");
+            List.of("of the shape", "plain", "grid", "panel", "beach ball", "metal", "glass", "a file");
     static final List<String> AXES = List.of("along x", "along y", "along z");
     static final List<Xyz> DIRECTIONS =
             List.of(new Xyz(1, 0, 0), new Xyz(0, 1, 0), new Xyz(0, 0, 1));
-    private static final int FROM_FILE = 6;
+    private static final int FROM_FILE = 7;
     private static final int ROWS_BELOW = 6;
 
     private final Editor editor;

@@ -143,6 +143,7 @@ final class SimulationPanel {
     }
 
     private void layers(Ui ui) {
+        ui.columns(2);
         for (DebugLayer layer : LAYERS) {
             boolean shown = sandbox.isDebug(layer);
             boolean wanted = ui.checkbox(layer.title(), shown);

@@ -16,7 +16,8 @@ final class Textures {
                     "builtin:grid",
                     "builtin:panel",
                     "builtin:beach-ball",
-                    "builtin:metal");
+                    "builtin:metal",
+                    "builtin:glass");
 
     private Textures() {}
 
@@ -28,6 +29,7 @@ final class Textures {
             case "builtin:panel" -> Texture.panel();
             case "builtin:beach-ball" -> Texture.beachBall();
             case "builtin:metal" -> Texture.bareMetal();
+            case "builtin:glass" -> Texture.glass();
             default -> null;
         };
     }

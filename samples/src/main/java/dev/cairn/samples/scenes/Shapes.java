@@ -68,7 +68,7 @@ public final class Shapes {
         scene.add(side, stone, wall(-HALF - WALL, 0, material));
         scene.add(side, stone, wall(HALF + WALL, 0, material));
         scene.add(front, Model.ground(front).color(Palette.STONE), wall(0, -HALF - WALL, material));
-        scene.addUnseen(front, wall(0, HALF + WALL, material));
+        scene.addGlass(front, wall(0, HALF + WALL, material));
         Shape[] kinds = kinds();
         int count = scene.count("each") * kinds.length;
         BodyRef[] bodies = new BodyRef[count];

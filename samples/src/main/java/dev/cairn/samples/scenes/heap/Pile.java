@@ -150,7 +150,7 @@ public final class Pile {
         scene.view(new SceneView(0.45 * reach, middle + 0.55 * reach, 0.7 * reach, 0, middle, 0));
     }
 
-    /** A floor and four walls, inner half width `half`; only the floor is drawn. */
+    /** A floor and four walls, inner half width `half`; the walls are of glass. */
     private static void pit(SceneBuilder scene, double half, double high, double friction) {
         scene.floor(half + 2 * WALL, half + 2 * WALL, friction, 0);
         for (int wall = 0; wall < 4; wall++) {
@@ -161,7 +161,7 @@ public final class Pile {
                     alongX
                             ? Box.ofHalfExtents(WALL, high / 2, half + 2 * WALL)
                             : Box.ofHalfExtents(half + 2 * WALL, high / 2, WALL);
-            scene.addUnseen(
+            scene.addGlass(
                     slab,
                     Body.fixed()
                             .at(alongX ? at : 0, high / 2, alongX ? 0 : at)

@@ -37,7 +37,7 @@ public final class Room {
                 "room",
                 "Room",
                 "Two balls and two boxes are thrown and dropped in a room; the wall towards the"
-                        + " camera is not drawn.",
+                        + " camera is of glass.",
                 "motion",
                 List.of(
                         Parameter.real("speed", 5, 0, 20, "speed of the thrown bodies, m/s"),
@@ -61,7 +61,7 @@ public final class Room {
         scene.add(side, Model.ground(side).color(Palette.STONE), wall(-HALF - WALL, 0, material));
         scene.add(side, Model.ground(side).color(Palette.STONE), wall(HALF + WALL, 0, material));
         scene.add(front, Model.ground(front).color(Palette.STONE), wall(0, -HALF - WALL, material));
-        scene.addUnseen(front, wall(0, HALF + WALL, material));
+        scene.addGlass(front, wall(0, HALF + WALL, material));
 
         Shape ball = Sphere.of(0.35);
         Shape box = Box.ofHalfExtents(0.4, 0.3, 0.5);

@@ -70,7 +70,7 @@ public final class Washer {
         }
         Box lid = Box.ofHalfExtents(radius + THICK, radius + THICK, THICK);
         for (int end = -1; end <= 1; end += 2) {
-            scene.addUnseen(
+            scene.addGlass(
                     lid,
                     Body.fixed()
                             .at(0, 0, end * (halfLength + THICK))
