@@ -5,7 +5,7 @@ public enum DebugLayer {
     /** Contact points: yellow, red where the bodies overlap. */
     CONTACTS("contact points", 1),
     /** Contact normals, 0.25 m long, from the first body to the second. */
-    NORMALS("contact normals", 2),
+    NORMALS("normals", 2),
     /** Arrows: how hard bodies push each other, on the second one; the largest is 1 m long. */
     IMPULSES("contact forces", 4),
     /** The boxes by which the broad phase finds neighbours, margin included. */

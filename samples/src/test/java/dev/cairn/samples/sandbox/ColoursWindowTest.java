@@ -1,5 +1,6 @@
 package dev.cairn.samples.sandbox;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
@@ -41,6 +42,7 @@ class ColoursWindowTest extends WindowFixture {
         assertTrue(redness(LOWEST) > 60, "its own red");
         click("Draw");
         settle();
+        assertEquals(0, now().number("shortened"), last);
         toggle("colour: speed", 1);
         look("colour-speed");
         assertTrue(redness(LOWEST) < -40, "blue at rest: " + redness(LOWEST));

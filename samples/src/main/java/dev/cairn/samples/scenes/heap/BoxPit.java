@@ -57,9 +57,8 @@ public final class BoxPit {
         for (int i = 0; i < 4; i++) {
             double x = (i % 2 == 0 ? 0 : i - 2) * (inside + HALF);
             double z = (i % 2 == 0 ? i - 1 : 0) * (inside + HALF);
-            scene.add(
+            scene.addGlass(
                     i % 2 == 0 ? side : between,
-                    Palette.STONE,
                     Body.fixed()
                             .at(x, wall, z)
                             .rotationAbout(0, 1, 0, i % 2 == 0 ? 0 : StrictMath.PI / 2)
