@@ -14,27 +14,41 @@ import java.util.List;
  * @param reflections whether surfaces mirror sun and sky by their roughness and metal
  * @param filmic whether what is bright goes softly into white, and what is dark into black
  * @param horizon whether wide floors dissolve into a ground that ends in a horizon
+ * @param skyLight whether surfaces get the light of the whole half of the sky that they face, and
+ *     rough ones mirror it blurred
+ * @param cascades whether shadows reach over the whole view, and are finer near the eye
  */
 public record Effects(
         boolean softShadows,
         boolean occlusion,
         boolean reflections,
         boolean filmic,
-        boolean horizon) {
+        boolean horizon,
+        boolean skyLight,
+        boolean cascades) {
     /** Everything; what pictures and windows on a graphics processor begin with. */
-    public static final Effects ALL = new Effects(true, true, true, true, true);
+    public static final Effects ALL = new Effects(true, true, true, true, true, true, true);
 
     /** Nothing; what windows on a software rasteriser begin with. */
-    public static final Effects PLAIN = new Effects(false, false, false, false, false);
+    public static final Effects PLAIN =
+            new Effects(false, false, false, false, false, false, false);
 
     private static final List<String> NAMES =
-            List.of("soft-shadows", "occlusion", "reflections", "filmic", "horizon");
+            List.of(
+                    "soft-shadows",
+                    "occlusion",
+                    "reflections",
+                    "filmic",
+                    "horizon",
+                    "sky-light",
+                    "cascades");
 
     /**
      * By names, as in the property {@code cairn.effects}.
      *
      * @param names {@code all}, {@code plain}, or some of {@code soft-shadows}, {@code occlusion},
-     *     {@code reflections}, {@code filmic}, {@code horizon}, separated by commas
+     *     {@code reflections}, {@code filmic}, {@code horizon}, {@code sky-light}, {@code cascades},
+     *     separated by commas
      * @return the effects
      * @throws IllegalArgumentException if there is another name
      */
@@ -57,7 +71,9 @@ public record Effects(
                 wanted.contains(NAMES.get(1)),
                 wanted.contains(NAMES.get(2)),
                 wanted.contains(NAMES.get(3)),
-                wanted.contains(NAMES.get(4)));
+                wanted.contains(NAMES.get(4)),
+                wanted.contains(NAMES.get(5)),
+                wanted.contains(NAMES.get(6)));
     }
 
     /**

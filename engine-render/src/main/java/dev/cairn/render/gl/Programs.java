@@ -25,7 +25,10 @@ final class Programs implements AutoCloseable {
                         + define("OCCLUSION", effects.occlusion())
                         + define("REFLECTIONS", effects.reflections())
                         + define("FILMIC", effects.filmic())
-                        + define("HORIZON", effects.horizon());
+                        + define("HORIZON", effects.horizon())
+                        + define("SKY_LIGHT", effects.skyLight())
+                        + "#define SHADOW_MAPS %d%n"
+                                .formatted(effects.cascades() ? ShadowCascades.MOST : 1);
         scene =
                 new ShaderProgram(
                         "scene",

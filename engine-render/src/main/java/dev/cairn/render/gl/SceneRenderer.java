@@ -23,7 +23,6 @@ import static org.lwjgl.opengl.GL11.glEnable;
 import static org.lwjgl.opengl.GL11.glViewport;
 import static org.lwjgl.opengl.GL12.GL_CLAMP_TO_EDGE;
 import static org.lwjgl.opengl.GL13.GL_TEXTURE0;
-import static org.lwjgl.opengl.GL13.GL_TEXTURE1;
 import static org.lwjgl.opengl.GL13.glActiveTexture;
 import static org.lwjgl.opengl.GL14.glBlendFuncSeparate;
 import static org.lwjgl.opengl.GL30.glBindVertexArray;
@@ -55,7 +54,8 @@ public final class SceneRenderer implements AutoCloseable {
     private final int emptyVertexArray = GlObjects.vertexArray();
     private final Instances instances = new Instances();
     private final Pass pass = new Pass(instances, false);
-    private @Nullable ShadowMap shadowMap;
+    private @Nullable ShadowCascades shadowMap;
+    private final SkyTable skyTable = new SkyTable();
     private @Nullable SceneOverlay overlay;
 
     private Tints.Kind tint = Tints.Kind.NONE;
@@ -112,15 +112,15 @@ public final class SceneRenderer implements AutoCloseable {
         ride(snapshot, alpha, camera);
         camera.position(eye);
         camera.forward(forward);
-        instances.update(snapshot, eye, ShadowMap.CASTER_LIMIT, tint);
+        instances.update(snapshot, eye, ShadowCascades.CASTER_LIMIT, tint);
         Vector3d anchor = instances.anchor();
         eye.sub(anchor);
         sun.set(light.sunX(), light.sunY(), light.sunZ()).normalize();
 
-        ShadowMap shadows = light.shadows() ? shadowMap(target) : null;
+        ShadowCascades shadows = light.shadows() ? shadowMap(target) : null;
         instances.bind();
         if (shadows != null) {
-            shadows.draw(alpha, sun, eye, forward);
+            shadows.draw(alpha, sun, eye, forward, effects.cascades());
         }
         double aspect = (double) target.width() / target.height();
         clipFromAnchored
@@ -164,17 +164,16 @@ public final class SceneRenderer implements AutoCloseable {
         }
     }
 
-    private ShadowMap shadowMap(FrameTarget target) {
+    private ShadowCascades shadowMap(FrameTarget target) {
         int longer = Math.max(target.width(), target.height());
         int wanted = Integer.highestOneBit(Math.max(1, longer - 1)) << 1;
         int size = Math.clamp(frugal ? wanted / 2 : wanted, MIN_SHADOW_SIZE, MAX_SHADOW_SIZE);
-        ShadowMap map = shadowMap;
+        ShadowCascades map = shadowMap;
         if (map == null || map.size() != size) {
             if (map != null) {
                 map.close();
             }
-            glActiveTexture(GL_TEXTURE1);
-            map = new ShadowMap(size, instances);
+            map = new ShadowCascades(size, instances);
             shadowMap = map;
         }
         return map;
@@ -196,20 +195,23 @@ public final class SceneRenderer implements AutoCloseable {
     }
 
     private void drawScene(
-            double alpha, Light light, @Nullable ShadowMap shadows, Camera camera, double aspect) {
+            double alpha,
+            Light light,
+            @Nullable ShadowCascades shadows,
+            Camera camera,
+            double aspect) {
         programs.scene.use();
         SceneUniforms uniforms = programs.uniforms;
         uniforms.set(light, alpha, clipFromAnchored, eye, sun);
         uniforms.setOcclusion(clipFromAnchored, Math.tan(camera.fieldOfView() / 2), aspect);
-        if (shadows != null && effects.softShadows()) {
-            shadows.bindNumbers(SceneUniforms.SHADOW_NUMBERS);
+        if (effects.skyLight()) {
+            skyTable.bind(light);
         }
         if (depthMap != null) {
             glActiveTexture(GL_TEXTURE0 + SceneUniforms.SCENE_DEPTH);
             depthMap.bindTexture();
         }
-        glActiveTexture(GL_TEXTURE1);
-        uniforms.setShadows(shadows);
+        uniforms.setShadows(shadows, effects.softShadows());
         glActiveTexture(GL_TEXTURE0);
         glassBatches = drawBatches(true);
     }
@@ -313,6 +315,7 @@ public final class SceneRenderer implements AutoCloseable {
         if (depthMap != null) {
             depthMap.close();
         }
+        skyTable.close();
         programs.close();
         GlObjects.deleteVertexArray(emptyVertexArray);
     }

@@ -1,5 +1,8 @@
 package dev.cairn.render.gl;
 
+import static org.lwjgl.opengl.GL13.GL_TEXTURE0;
+import static org.lwjgl.opengl.GL13.glActiveTexture;
+
 import dev.cairn.render.camera.Light;
 import dev.cairn.render.mesh.Texture;
 
@@ -13,6 +16,9 @@ final class SceneUniforms {
     static final int SHADOW_NUMBERS = 4;
 
     static final int SCENE_DEPTH = 5;
+    static final int MORE_SHADOWS = 6;
+    static final int MORE_NUMBERS = 8;
+    static final int SKY_TABLE = 10;
 
     /** Radius of the neighbourhood that hides sky, by its distance from the eye. */
     static final double OCCLUSION_SHARE = 0.07;
@@ -22,7 +28,7 @@ final class SceneUniforms {
     private final int motion;
     private final int look;
     private final int surface;
-    private final int shadowMap;
+    private final int[] shadowMap = new int[ShadowCascades.MOST];
     private final int tileMetres;
     private final int eye;
     private final int sunDirection;
@@ -32,12 +38,13 @@ final class SceneUniforms {
     private final int zenithColour;
     private final int horizonColour;
     private final int hazeMetres;
-    private final int shadowFromAnchored;
-    private final int shadowTexelMetres;
-    private final int shadowBias;
+    private final int[] shadowFromAnchored = new int[ShadowCascades.MOST];
+    private final int[] shadowTexelMetres = new int[ShadowCascades.MOST];
+    private final int[] shadowBias = new int[ShadowCascades.MOST];
 
     // Only with the effects that need them.
-    private final int shadowDepth;
+    private final int[] shadowDepth = new int[ShadowCascades.MOST];
+    private final int skyTable;
     private final int sceneDepth;
     private final int anchoredFromClip;
     private final int occlusionReach;
@@ -51,20 +58,23 @@ final class SceneUniforms {
         motion = program.uniform("motion");
         look = program.uniform("look");
         surface = program.uniform("surface");
-        shadowMap = program.uniform("shadowMap");
         tileMetres = program.uniform("tileMetres");
         eye = program.uniform("eye");
         sunDirection = program.uniform("sunDirection");
         sunLight = program.uniform("sunLight");
-        skyLight = program.uniform("skyLight");
-        groundLight = program.uniform("groundLight");
+        skyLight = program.uniformIfUsed("skyLight");
+        groundLight = program.uniformIfUsed("groundLight");
+        skyTable = program.uniformIfUsed("skyTable");
         zenithColour = program.uniformIfUsed("zenithColour");
-        horizonColour = program.uniform("horizonColour");
+        horizonColour = program.uniformIfUsed("horizonColour");
         hazeMetres = program.uniform("hazeMetres");
-        shadowFromAnchored = program.uniform("shadowFromAnchored");
-        shadowTexelMetres = program.uniform("shadowTexelMetres");
-        shadowBias = program.uniform("shadowBias");
-        shadowDepth = program.uniformIfUsed("shadowDepth");
+        for (int i = 0; i < ShadowCascades.MOST; i++) {
+            shadowMap[i] = program.uniformIfUsed("shadowMap" + i);
+            shadowDepth[i] = program.uniformIfUsed("shadowDepth" + i);
+            shadowFromAnchored[i] = program.uniformIfUsed("shadowFromAnchored[" + i + "]");
+            shadowTexelMetres[i] = program.uniformIfUsed("shadowTexelMetres[" + i + "]");
+            shadowBias[i] = program.uniformIfUsed("shadowBias[" + i + "]");
+        }
         sceneDepth = program.uniformIfUsed("sceneDepth");
         anchoredFromClip = program.uniformIfUsed("anchoredFromClip");
         occlusionReach = program.uniformIfUsed("occlusionReach");
@@ -83,7 +93,6 @@ final class SceneUniforms {
         ShaderProgram.set(motion, 2);
         ShaderProgram.set(look, 3);
         ShaderProgram.set(surface, 0);
-        ShaderProgram.set(shadowMap, 1);
         ShaderProgram.set(eye, anchoredEye.x, anchoredEye.y, anchoredEye.z);
         ShaderProgram.set(sunDirection, sun.x, sun.y, sun.z);
         ShaderProgram.set(sunLight, light.sunRed(), light.sunGreen(), light.sunBlue());
@@ -91,21 +100,30 @@ final class SceneUniforms {
         ShaderProgram.set(groundLight, light.groundRed(), light.groundGreen(), light.groundBlue());
         setColour(zenithColour, light.zenithRgb());
         setColour(horizonColour, light.horizonRgb());
-        ShaderProgram.set(shadowDepth, SHADOW_NUMBERS);
+        ShaderProgram.set(skyTable, SKY_TABLE);
         ShaderProgram.set(sceneDepth, SCENE_DEPTH);
         ShaderProgram.set(hazeMetres, light.hazeMetres());
     }
 
-    /** With the shadow map's texture unit active. */
-    void setShadows(@Nullable ShadowMap shadows) {
-        if (shadows == null) {
-            ShaderProgram.set(shadowTexelMetres, 0.0);
-            return;
+    /** Leaves another texture unit active. */
+    void setShadows(@Nullable ShadowCascades shadows, boolean asNumbers) {
+        for (int i = 0; i < ShadowCascades.MOST; i++) {
+            ShaderProgram.set(shadowMap[i], ShadowCascades.unit(i));
+            ShaderProgram.set(shadowDepth[i], ShadowCascades.numbersUnit(i));
+            ShadowMap map = shadows == null ? null : shadows.map(i);
+            if (map == null) {
+                ShaderProgram.set(shadowTexelMetres[i], 0.0);
+                continue;
+            }
+            if (asNumbers) {
+                map.bindNumbers(ShadowCascades.numbersUnit(i));
+            }
+            glActiveTexture(GL_TEXTURE0 + ShadowCascades.unit(i));
+            map.bindTexture();
+            ShaderProgram.set(shadowFromAnchored[i], map.matrix());
+            ShaderProgram.set(shadowTexelMetres[i], map.texelMetres());
+            ShaderProgram.set(shadowBias[i], map.bias());
         }
-        shadows.bindTexture();
-        ShaderProgram.set(shadowFromAnchored, shadows.matrix());
-        ShaderProgram.set(shadowTexelMetres, shadows.texelMetres());
-        ShaderProgram.set(shadowBias, shadows.bias());
     }
 
     /**

@@ -26,20 +26,10 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 
 /**
- * Depth as the sun sees it, over a square region that holds all small models, or the part of them
- * near the view where they are spread wide. The region's size goes in steps and its place in whole
- * texels of the world, so that shadows of resting things stand still.
+ * Depth as the sun sees it, over a square region. The region's size goes in steps and its place in
+ * whole texels of the world, so that shadows of resting things stand still.
  */
 final class ShadowMap implements AutoCloseable {
-    /**
-     * Models with a greater radius do not make the region larger (floors, walls); they cast and
-     * receive all the same.
-     */
-    static final double CASTER_LIMIT = 20;
-
-    private static final double MAX_RADIUS = 60;
-    private static final double FOCUS_METRES = 30;
-
     private final int size;
     private final DepthPass depth;
 
@@ -80,11 +70,14 @@ final class ShadowMap implements AutoCloseable {
      *
      * @param alpha interpolation
      * @param sun unit direction to the sun
-     * @param eye camera, anchored
-     * @param forward unit view direction
+     * @param middle of the region, anchored
+     * @param reach half its width, m; it is made somewhat larger
      */
-    void draw(double alpha, Vector3d sun, Vector3d eye, Vector3d forward) {
-        place(sun, eye, forward);
+    void draw(double alpha, Vector3d sun, Vector3d middle, double reach) {
+        centre.set(middle);
+        // Steps of a quarter of an octave.
+        radius = Math.pow(2, Math.ceil(4 * Math.log(Math.max(reach, 1)) / Math.log(2)) / 4);
+        place(sun);
         pass.cull(matrix);
         glEnable(GL_DEPTH_CLAMP);
         glEnable(GL_POLYGON_OFFSET_FILL);
@@ -94,23 +87,7 @@ final class ShadowMap implements AutoCloseable {
         glDisable(GL_DEPTH_CLAMP);
     }
 
-    private void place(Vector3d sun, Vector3d eye, Vector3d forward) {
-        Vector3d min = instances.castersMin();
-        Vector3d max = instances.castersMax();
-        centre.set(forward).mul(FOCUS_METRES).add(eye);
-        if (min.x <= max.x) {
-            double diagonal = 0.5 * min.distance(max);
-            if (diagonal <= MAX_RADIUS) {
-                centre.set(min).add(max).mul(0.5);
-            } else {
-                centre.max(min).min(max);
-            }
-            radius = Math.min(diagonal, MAX_RADIUS);
-        } else {
-            radius = MAX_RADIUS / 2;
-        }
-        // Steps of a quarter of an octave.
-        radius = Math.pow(2, Math.ceil(4 * Math.log(Math.max(radius, 1)) / Math.log(2)) / 4);
+    private void place(Vector3d sun) {
         if (Math.abs(sun.y) < 0.99) {
             right.set(0, 1, 0).cross(sun).normalize();
         } else {

@@ -26,6 +26,15 @@ float openSky(vec3 p, vec3 normal, vec3 eye) {
 }
 #endif
 
+#if SKY_LIGHT
+uniform sampler2D skyTable; // across: height of a direction, -1..1; upwards: roughness, and last the light on a surface
+const vec2 SKY_SIZE = vec2(64.0, 8.0);
+
+vec3 skyAt(float height, float row) {
+    return texture(skyTable, (vec2((0.5 + 0.5 * height) * (SKY_SIZE.x - 1.0), row) + 0.5) / SKY_SIZE).rgb;
+}
+#endif
+
 #if REFLECTIONS
 // What a smooth surface sends back of the sun, for a white sun that fills no angle: distribution of Trowbridge and
 // Reitz (GGX), visibility by Smith in the form of Hammon (2017), Fresnel by Schlick. Without the 1 / pi, as all light.
@@ -45,9 +54,13 @@ vec3 glint(vec3 normal, vec3 view, vec3 sun, float roughness, vec3 facing) {
 // of Karis ("Physically based shading on mobile", 2014).
 vec3 mirrored(vec3 normal, vec3 view, float roughness, vec3 facing, vec3 below) {
     vec3 r = reflect(-view, normal);
+#if SKY_LIGHT
+    vec3 light = skyAt(r.y, roughness * (SKY_SIZE.y - 2.0));
+#else
     vec3 sky = backdrop(vec3(r.x, max(r.y, 0.0) + 1e-3, r.z));
     float blur = 0.1 + roughness;
     vec3 light = mix(below, sky, smoothstep(-blur, blur, r.y));
+#endif
     float nv = max(dot(normal, view), 0.0);
     vec4 c = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float x = min(c.x * c.x, exp2(-9.28 * nv)) * c.x + c.y;

@@ -58,7 +58,11 @@ void main() {
     vec3 albedo = surfaceColour(surfaceCoordinate()) * colour;
     float facing = max(dot(normal, sunDirection), 0.0);
     float visible = facing > 0.0 ? sunVisible(anchored, normal) : 0.0;
+#if SKY_LIGHT
+    vec3 ambient = skyAt(normal.y, SKY_SIZE.y - 1.0);
+#else
     vec3 ambient = mix(groundLight, skyLight, 0.5 + 0.5 * normal.y);
+#endif
 #if OCCLUSION
     float open = openSky(anchored, normal, eye);
 #else

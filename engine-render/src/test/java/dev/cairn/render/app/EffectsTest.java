@@ -177,10 +177,13 @@ class EffectsTest extends Drawing {
     @Test
     void namesAreThoseOfTheEffects() {
         assertEquals(
-                Effects.ALL, Effects.named("soft-shadows,occlusion,reflections,filmic,horizon"));
+                Effects.ALL,
+                Effects.named(
+                        "soft-shadows,occlusion,reflections,filmic,horizon,sky-light,cascades"));
         assertEquals(Effects.PLAIN, Effects.named("plain"));
         assertEquals(
-                new Effects(false, true, false, true, false), Effects.named("filmic, occlusion"));
+                new Effects(false, true, false, true, false, false, false),
+                Effects.named("filmic, occlusion"));
         IllegalArgumentException unknown =
                 assertThrows(IllegalArgumentException.class, () -> Effects.named("bloom"));
         assertTrue(String.valueOf(unknown.getMessage()).contains("soft-shadows"));

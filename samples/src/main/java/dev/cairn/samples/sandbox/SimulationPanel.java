@@ -219,12 +219,16 @@ final class SimulationPanel {
         boolean mirrors = ui.checkbox("reflections", now.reflections());
         boolean film = ui.checkbox("film's light and dark", now.filmic());
         boolean horizon = ui.checkbox("ground to the horizon", now.horizon());
+        boolean sky = ui.checkbox("light of the whole sky", now.skyLight());
+        boolean wide = ui.checkbox("shadows near and far", now.cascades());
         if (soft != now.softShadows()
                 || dim != now.occlusion()
                 || mirrors != now.reflections()
                 || film != now.filmic()
-                || horizon != now.horizon()) {
-            sandbox.effects(new Effects(soft, dim, mirrors, film, horizon));
+                || horizon != now.horizon()
+                || sky != now.skyLight()
+                || wide != now.cascades()) {
+            sandbox.effects(new Effects(soft, dim, mirrors, film, horizon, sky, wide));
         }
     }
 
