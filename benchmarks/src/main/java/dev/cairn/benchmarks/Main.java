@@ -4,6 +4,7 @@ import dev.cairn.benchmarks.compare.Compare;
 import dev.cairn.benchmarks.cost.Cost;
 import dev.cairn.benchmarks.narrowphase.ErrorAgainstTime;
 import dev.cairn.benchmarks.regress.Regress;
+import dev.cairn.benchmarks.render.EffectFrame;
 import dev.cairn.benchmarks.render.RenderFrame;
 import dev.cairn.samples.Launched;
 
@@ -13,7 +14,7 @@ import java.util.Arrays;
 /**
  * What {@code benchmarks.jar} runs: {@code compare} starts the work-precision report, {@code cost}
  * the price list, {@code regress} the headline figures, {@code render-frame} the CPU time of a
- * drawn frame; all else is JMH's own command line.
+ * drawn frame, {@code effect-frame} what effects cost; all else is JMH's own command line.
  */
 public final class Main {
     private Main() {}
@@ -33,6 +34,7 @@ public final class Main {
             case "narrow-phase" -> ErrorAgainstTime.main(Arrays.copyOfRange(args, 1, args.length));
             case "regress" -> Regress.main(Arrays.copyOfRange(args, 1, args.length));
             case "render-frame" -> RenderFrame.main(Arrays.copyOfRange(args, 1, args.length));
+            case "effect-frame" -> EffectFrame.main(Arrays.copyOfRange(args, 1, args.length));
             default -> org.openjdk.jmh.Main.main(args);
         }
     }

@@ -1,5 +1,7 @@
 package dev.cairn.render.app;
 
+import static org.lwjgl.opengl.GL11.glFinish;
+
 import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.Effects;
@@ -132,6 +134,11 @@ public final class Offscreen implements AutoCloseable {
         renderer.draw(snapshot, alpha, camera, light, target);
         GlContext.checkErrors("Offscreen.draw");
         drawn = true;
+    }
+
+    /** Waits until all that was asked for is drawn; for measurements. */
+    public void finish() {
+        glFinish();
     }
 
     /**
