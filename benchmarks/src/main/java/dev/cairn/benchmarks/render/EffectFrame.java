@@ -104,8 +104,7 @@ public final class EffectFrame {
                 // Another view each time, as in a window.
                 double angle = 0.5 + 0.01 * (round * frames + frame);
                 Camera camera =
-                        new Camera()
-                                .lookAt(16 * Math.sin(angle), 7, 16 * Math.cos(angle), 0, 0, 0);
+                        new Camera().lookAt(16 * Math.sin(angle), 7, 16 * Math.cos(angle), 0, 0, 0);
                 view.draw(snapshot, 1, camera, Light.DAYLIGHT);
             }
             view.finish();

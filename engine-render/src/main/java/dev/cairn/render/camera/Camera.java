@@ -53,8 +53,8 @@ public final class Camera {
      */
     public Camera lookAt(
             double eyeX, double eyeY, double eyeZ, double targetX, double targetY, double targetZ) {
-        checkFinite("eye", eyeX, eyeY, eyeZ);
-        checkFinite("target", targetX, targetY, targetZ);
+        Following.checkFinite("eye", eyeX, eyeY, eyeZ);
+        Following.checkFinite("target", targetX, targetY, targetZ);
         lock.lock();
         try {
             x = eyeX;
@@ -76,7 +76,7 @@ public final class Camera {
      * @return this
      */
     public Camera lookAt(double targetX, double targetY, double targetZ) {
-        checkFinite("target", targetX, targetY, targetZ);
+        Following.checkFinite("target", targetX, targetY, targetZ);
         lock.lock();
         try {
             turnTo(targetX - x, targetY - y, targetZ - z);
@@ -95,7 +95,7 @@ public final class Camera {
      * @return this
      */
     public Camera moveTo(double newX, double newY, double newZ) {
-        checkFinite("position", newX, newY, newZ);
+        Following.checkFinite("position", newX, newY, newZ);
         lock.lock();
         try {
             x = newX;
@@ -115,7 +115,7 @@ public final class Camera {
      * @param up metres along the world's y axis
      */
     public void fly(double forward, double right, double up) {
-        checkFinite("movement", forward, right, up);
+        Following.checkFinite("movement", forward, right, up);
         lock.lock();
         try {
             double sinYaw = Math.sin(yaw);
@@ -140,7 +140,7 @@ public final class Camera {
      * @param pitchRadians upwards
      */
     public void turn(double yawRadians, double pitchRadians) {
-        checkFinite("turn", yawRadians, pitchRadians, 0);
+        Following.checkFinite("turn", yawRadians, pitchRadians, 0);
         lock.lock();
         try {
             yaw = Math.IEEEremainder(yaw + yawRadians, 2 * Math.PI);
@@ -151,9 +151,8 @@ public final class Camera {
     }
 
     /**
-     * Makes the camera ride beside an entity that has a pose and a visual, from now until {@link
-     * #release()} or until the entity is gone. While it follows, the movement keys shift the
-     * offset.
+     * Makes the camera ride beside an entity that has a pose and a visual, until {@link #release()}
+     * or until the entity is gone. The movement keys shift the offset.
      *
      * @param entity which one
      * @param offsetX where the camera is, seen from the entity's position, world axes, metres
@@ -164,10 +163,26 @@ public final class Camera {
      */
     public Camera follow(
             long entity, double offsetX, double offsetY, double offsetZ, boolean lookAtIt) {
-        checkFinite("offset", offsetX, offsetY, offsetZ);
+        Following.checkFinite("offset", offsetX, offsetY, offsetZ);
         lock.lock();
         try {
             following.set(entity, offsetX, offsetY, offsetZ, lookAtIt);
+        } finally {
+            lock.unlock();
+        }
+        return this;
+    }
+
+    /**
+     * Whether a camera that follows also turns with the entity's heading, as a passenger does.
+     *
+     * @param value true from now until the next {@link #follow}
+     * @return this
+     */
+    public Camera turning(boolean value) {
+        lock.lock();
+        try {
+            following.turns(value);
         } finally {
             lock.unlock();
         }
@@ -180,13 +195,7 @@ public final class Camera {
      * @return this
      */
     public Camera release() {
-        lock.lock();
-        try {
-            following.entity = NOTHING;
-        } finally {
-            lock.unlock();
-        }
-        return this;
+        return follow(NOTHING, 0, 0, 0, false);
     }
 
     /**
@@ -204,17 +213,18 @@ public final class Camera {
     }
 
     /**
-     * Called by the renderer before each frame with the interpolated position of the followed
-     * entity.
+     * Called by the renderer before each frame with the interpolated pose of the followed entity.
      *
      * @param entityX world frame, metres
      * @param entityY same
      * @param entityZ same
+     * @param heading of the entity about the world's y axis, radians
      */
-    public void rideOn(double entityX, double entityY, double entityZ) {
+    public void rideOn(double entityX, double entityY, double entityZ, double heading) {
         lock.lock();
         try {
             if (following.entity != NOTHING) {
+                yaw = Math.IEEEremainder(yaw - following.turned(heading), 2 * Math.PI);
                 x = entityX + following.x;
                 y = entityY + following.y;
                 z = entityZ + following.z;
@@ -258,11 +268,8 @@ public final class Camera {
     public Camera range(double nearMetres, double farMetres) {
         if (!(nearMetres > 0 && farMetres > nearMetres) || Double.isInfinite(farMetres)) {
             throw new IllegalArgumentException(
-                    "range is "
-                            + nearMetres
-                            + ".."
-                            + farMetres
-                            + " m, expected 0 < near < far, finite");
+                    "range is %s..%s m, expected 0 < near < far, finite"
+                            .formatted(nearMetres, farMetres));
         }
         lock.lock();
         try {
@@ -487,12 +494,5 @@ public final class Camera {
             yaw = Math.atan2(dx, -dz);
         }
         pitch = Math.clamp(Math.atan2(dy, level), -MAX_PITCH, MAX_PITCH);
-    }
-
-    private static void checkFinite(String name, double x, double y, double z) {
-        if (!(Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z))) {
-            throw new IllegalArgumentException(
-                    name + " is (" + x + ", " + y + ", " + z + "), expected finite numbers");
-        }
     }
 }

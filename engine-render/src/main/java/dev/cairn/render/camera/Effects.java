@@ -47,8 +47,8 @@ public record Effects(
      * By names, as in the property {@code cairn.effects}.
      *
      * @param names {@code all}, {@code plain}, or some of {@code soft-shadows}, {@code occlusion},
-     *     {@code reflections}, {@code filmic}, {@code horizon}, {@code sky-light}, {@code cascades},
-     *     separated by commas
+     *     {@code reflections}, {@code filmic}, {@code horizon}, {@code sky-light}, {@code
+     *     cascades}, separated by commas
      * @return the effects
      * @throws IllegalArgumentException if there is another name
      */

@@ -158,10 +158,21 @@ public final class SceneRenderer implements AutoCloseable {
                 camera.rideOn(
                         a[at] + alpha * (b[at] - a[at]),
                         a[at + 1] + alpha * (b[at + 1] - a[at + 1]),
-                        a[at + 2] + alpha * (b[at + 2] - a[at + 2]));
+                        a[at + 2] + alpha * (b[at + 2] - a[at + 2]),
+                        2 * Math.atan2(mixed(a, b, at, 4, alpha), mixed(a, b, at, 6, alpha)));
                 return;
             }
         }
+    }
+
+    /** A part of the orientation between two ticks, the short way round, not normalised. */
+    private static double mixed(double[] a, double[] b, int at, int part, double alpha) {
+        double same = 0;
+        for (int i = 3; i < 7; i++) {
+            same += a[at + i] * b[at + i];
+        }
+        double to = same < 0 ? -b[at + part] : b[at + part];
+        return a[at + part] + alpha * (to - a[at + part]);
     }
 
     private ShadowCascades shadowMap(FrameTarget target) {

@@ -58,8 +58,7 @@ final class SkyTable implements AutoCloseable {
         FloatBuffer texels = MemoryUtil.memAllocFloat(WIDTH * HEIGHT * 3);
         try {
             texels.put(table(light)).flip();
-            glTexImage2D(
-                    GL_TEXTURE_2D, 0, GL_RGB16F, WIDTH, HEIGHT, 0, GL_RGB, GL_FLOAT, texels);
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, WIDTH, HEIGHT, 0, GL_RGB, GL_FLOAT, texels);
         } finally {
             MemoryUtil.memFree(texels);
         }

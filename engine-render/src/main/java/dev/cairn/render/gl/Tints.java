@@ -146,7 +146,9 @@ public final class Tints {
         return (int) ((entity * 0x9E3779B97F4A7C15L) >>> 40) & (table.length - 1);
     }
 
-    /** From cold over white to hot (Moreland, "Diverging color maps", 2009, its ends and middle). */
+    /**
+     * From cold over white to hot (Moreland, "Diverging color maps", 2009, its ends and middle).
+     */
     static int ramp(double share) {
         double t = 2 * Math.clamp(share, 0.0, 1.0);
         return t < 1 ? mix(COLD, MIDDLE, t) : mix(MIDDLE, HOT, t - 1);

@@ -50,8 +50,7 @@ class GlassTest extends Drawing {
 
     private static void expect(int seen, int behind) {
         for (int shift = 0; shift < 24; shift += 8) {
-            double mixed =
-                    SHARE * (BLUE >> shift & 255) + (1 - SHARE) * (behind >> shift & 255);
+            double mixed = SHARE * (BLUE >> shift & 255) + (1 - SHARE) * (behind >> shift & 255);
             assertEquals(mixed, seen >> shift & 255, 2, Integer.toHexString(seen));
         }
     }

@@ -45,8 +45,10 @@ class SkyAndShadowsTest extends Drawing {
     /** A sky of one colour over a ground of another: the mean by the cosine is (1 + n.y) / 2. */
     @Test
     void anEvenSkyLightsAsTheHemisphereDoes() {
-        Light even = new Light(0, 1, 0, 0, 0, 0, 0.6, 0.5, 0.4, 0.2, 0.3, 0.1, 0xFFFFFF, 0xFFFFFF,
-                0, false);
+        Light even =
+                new Light(
+                        0, 1, 0, 0, 0, 0, 0.6, 0.5, 0.4, 0.2, 0.3, 0.1, 0xFFFFFF, 0xFFFFFF, 0,
+                        false);
         Camera camera = new Camera().lookAt(3, 2, 4, 0, 0, 0);
         try (Stage stage = new Stage()) {
             stage.add(Pose.at(0, 0, 0), box(1, 1, 1));
@@ -64,8 +66,8 @@ class SkyAndShadowsTest extends Drawing {
     /** Bright at the horizon, dark above: L = exp(-3 y). A wall gets more of it than the ground. */
     @Test
     void aWallGetsTheLightOfTheHorizon() {
-        Light light = new Light(0, 1, 0, 0, 0, 0, 0.6, 0.6, 0.6, 0, 0, 0, 0x000000, 0xFFFFFF, 0,
-                false);
+        Light light =
+                new Light(0, 1, 0, 0, 0, 0, 0.6, 0.6, 0.6, 0, 0, 0, 0x000000, 0xFFFFFF, 0, false);
         double up = 0;
         double wall = 0;
         int steps = 10_000;
@@ -96,8 +98,11 @@ class SkyAndShadowsTest extends Drawing {
                 stage.add(Pose.at(0, 0, 0), box(2, 2, 2).texture(metal).color(0xFFFFFF));
                 // The ray to the middle comes from 10 degrees above, its mirror image goes down.
                 Camera camera = new Camera().lookAt(0, 1.4, 8, 0, 0, 0);
-                seen[i] = green(draw("reflections,sky-light", stage, camera, light), WIDTH / 2,
-                        HEIGHT / 2);
+                seen[i] =
+                        green(
+                                draw("reflections,sky-light", stage, camera, light),
+                                WIDTH / 2,
+                                HEIGHT / 2);
             }
         }
         assertTrue(seen[0] < 30, "a mirror shows the black ground: " + seen[0]);

@@ -51,18 +51,33 @@ class CameraTest {
         assertTrue(camera.ray(1, 0, 1.5, new Vector3d()).dot(right) > 0);
     }
 
+    /** A quarter turn to the left: from behind it, the camera is behind it again. */
+    @Test
+    void aPassengerTurnsWithTheHeading() {
+        Camera camera = new Camera().lookAt(0, 1, 4, 0, 1, -1).follow(7, 0, 1, 4, false);
+        camera.turning(true).rideOn(0, 0, 0, 3);
+        assertNear(0, 1, 4, camera.position(new Vector3d()));
+        camera.rideOn(10, 0, 0, 3 + Math.PI / 2 - 2 * Math.PI);
+        assertNear(14, 1, 0, camera.position(new Vector3d()));
+        assertNear(-1, 0, 0, camera.forward(new Vector3d()));
+        camera.follow(7, 0, 1, 4, false).rideOn(0, 0, 0, 0);
+        assertNear(0, 1, 4, camera.position(new Vector3d()));
+        camera.rideOn(0, 0, 0, 1);
+        assertNear(0, 1, 4, camera.position(new Vector3d()));
+    }
+
     @Test
     void followerKeepsItsOffsetAndCanBeMoved() {
         Camera camera = new Camera().lookAt(0, 0, 0, 0, 0, -1).follow(7, 0, 1, 4, true);
-        camera.rideOn(10, 0, 0);
+        camera.rideOn(10, 0, 0, 0);
         assertNear(10, 1, 4, camera.position(new Vector3d()));
         assertTrue(
                 camera.forward(new Vector3d()).dot(new Vector3d(0, -1, -4).normalize())
                         > 1 - 1e-12);
         camera.fly(0, 0, 2);
-        camera.rideOn(20, 0, 0);
+        camera.rideOn(20, 0, 0, 0);
         assertNear(20, 3, 4, camera.position(new Vector3d()));
-        camera.release().rideOn(0, 0, 0);
+        camera.release().rideOn(0, 0, 0, 0);
         assertNear(20, 3, 4, camera.position(new Vector3d()));
         Camera copy = new Camera().set(camera);
         assertNear(20, 3, 4, copy.position(new Vector3d()));

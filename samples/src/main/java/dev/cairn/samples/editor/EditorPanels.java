@@ -32,6 +32,7 @@ import java.util.function.Consumer;
 public final class EditorPanels {
     private static final double GAP = Places.GAP;
     private static final double LEFT_WIDTH = Places.WIDTH;
+
     /** Height of what is shown while the scene runs, logical pixels. */
     public static final double PLAYING_HEIGHT = 150;
 

@@ -40,7 +40,15 @@ final class EntityPanel {
                     "builtin:metal",
                     "builtin:glass");
     private static final List<String> TEXTURE_NAMES =
-            List.of("of the shape", "plain", "grid", "panel", "beach ball", "metal", "glass", "a file");
+            List.of(
+                    "of the shape",
+                    "plain",
+                    "grid",
+                    "panel",
+                    "beach ball",
+                    "metal",
+                    "glass",
+                    "a file");
     static final List<String> AXES = List.of("along x", "along y", "along z");
     static final List<Xyz> DIRECTIONS =
             List.of(new Xyz(1, 0, 0), new Xyz(0, 1, 0), new Xyz(0, 0, 1));

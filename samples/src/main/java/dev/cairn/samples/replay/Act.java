@@ -38,6 +38,8 @@ public record Act(What what, long entity, List<Double> numbers) {
         RELEASE(0),
         /** A ball is thrown: place, m, velocity, m/s, radius, m, density, kg/m³, its number. */
         THROW(9),
+        /** An explosion: place, m; radius, m; speed that it gives at its middle, m/s. */
+        BLAST(5),
         /**
          * A key or a button pushes: along the world's axes x, y, z, m/s²; length of the tick, s.
          */

@@ -5,6 +5,7 @@ import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.hand.Hand;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.render.input.Control;
@@ -46,6 +47,7 @@ public final class Player implements BiConsumer<PhysicsWorld, Act> {
             case PULL -> pull(n.get(0), n.get(1), n.get(2));
             case RELEASE -> release();
             case THROW -> throwBall(world, n);
+            case BLAST -> blast(world, n);
             case PUSH, TURN, KICK -> drive(world, act);
             case SUBSTEPS -> world.setSubsteps((int) (double) n.get(0));
         }
@@ -111,5 +113,29 @@ public final class Player implements BiConsumer<PhysicsWorld, Act> {
                                 .name("ball " + (long) (double) n.get(8)));
         Model look = Model.of(shape).color(Palette.BASKETBALL);
         world.ecs().add(ball.entity(), new Visual(look));
+    }
+
+    /**
+     * An explosion: each dynamic body whose centre of mass is within the radius gets the speed,
+     * less with the distance, away from the middle. No body shields another.
+     *
+     * @param world where
+     * @param n the numbers of {@link Act.What#BLAST}
+     */
+    public static void blast(PhysicsWorld world, List<Double> n) {
+        double radius = n.get(3);
+        Vector3d arm = new Vector3d();
+        for (BodyRef body : world.bodies()) {
+            double distance = body.position(arm).sub(n.get(0), n.get(1), n.get(2)).length();
+            if (body.type() == BodyType.DYNAMIC && distance < radius) {
+                if (distance == 0) {
+                    arm.set(0, 1, 0);
+                } else {
+                    arm.div(distance);
+                }
+                arm.mul(body.mass() * n.get(4) * (1 - distance / radius));
+                body.applyImpulse(arm.x, arm.y, arm.z);
+            }
+        }
     }
 }

@@ -26,6 +26,7 @@ final class BuiltScene {
     private @Nullable SceneView seenFrom;
     private boolean keepsCamera;
     private boolean refits;
+    private boolean rides;
     private int remarksShown;
     private String problem = "";
 
@@ -152,18 +153,28 @@ final class BuiltScene {
         }
     }
 
-    /** Has the camera ride on a body from where it is; on the same body again, no more. */
-    boolean follow(Scene scene, long entity) {
+    /**
+     * Has the camera follow a body from where it is; on the same body again, turn with it; after
+     * that no more.
+     *
+     * @return what to tell the user; empty if nothing follows
+     */
+    String follow(Scene scene, long entity) {
         Camera camera = scene.camera();
         BodyRef body = scene.physics().bodyOf(entity);
-        boolean follows = body != null && !body.isFixed() && camera.followed() != entity;
-        camera.release();
-        if (body != null && follows) {
-            Vector3d from = camera.position(new Vector3d());
-            from.sub(body.position(new Vector3d()));
-            camera.follow(entity, from.x, from.y, from.z, true);
+        boolean again = camera.followed() == entity;
+        if (body == null || body.isFixed() || (again && rides)) {
+            camera.release();
+            return "";
         }
-        return follows;
+        Vector3d from = camera.position(new Vector3d());
+        from.sub(body.position(new Vector3d()));
+        camera.follow(entity, from.x, from.y, from.z, !again);
+        camera.turning(again);
+        rides = again;
+        return again
+                ? "The camera turns with it; double click again to stop"
+                : "The camera follows; double click again to ride on it";
     }
 
     /** Runs the scene's hooks; false without a scene. */

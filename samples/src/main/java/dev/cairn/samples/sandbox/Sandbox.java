@@ -32,6 +32,7 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiConsumer;
 
 /**
  * The window with the scenes: a list of them, their parameters as sliders, what the engine knows as
@@ -70,9 +71,6 @@ public class Sandbox extends Application {
     private final boolean sleeping;
     private boolean bound;
     private long stepStartNanos;
-
-    /** Width of the picture by its height; the window's thread writes it. */
-    private volatile double aspect = 1;
 
     private @Nullable String noWindow;
     private final MomentFiles files;
@@ -173,6 +171,11 @@ public class Sandbox extends Application {
     /** The editor's panels; window thread. For tests. */
     EditorPanels editorPanels() {
         return editorPanels;
+    }
+
+    /** The panels beside the editor's; window thread. For tests. */
+    SandboxPanels scenePanels() {
+        return panels;
     }
 
     /** What is asked before the window closes; window thread. For tests. */
@@ -340,13 +343,10 @@ public class Sandbox extends Application {
         return scene().bindings();
     }
 
-    void ball(Thrower.Ball value) {
-        thrower.ball(value);
-    }
-
-    void throwBall() {
+    /** Throws something or blows it apart. */
+    void act(BiConsumer<Scene, Thrower> what) {
         if (!stage.rests()) { // What is edited is the file's contents and nothing else.
-            thrower.throwBall(scene(), aspect);
+            what.accept(scene(), thrower);
             publishState(); // also in a pause
         }
     }
@@ -384,10 +384,11 @@ public class Sandbox extends Application {
         hand.aim(eye, direction);
     }
 
-    /** Has the camera ride on a body from where it is; on the same body again, no more. */
+    /** What a double click on a body does to the camera. */
     void follow(long entity) {
-        if (built.follow(scene(), entity)) {
-            notice("The camera follows; double click again to stop");
+        String told = built.follow(scene(), entity);
+        if (!told.isEmpty()) {
+            notice(told);
         }
     }
 
@@ -449,7 +450,7 @@ public class Sandbox extends Application {
     @Override
     protected void panels(Ui ui, View view) {
         SandboxState state = states.latest();
-        aspect = view.aspect();
+        thrower.aspect(view.aspect());
         editorPanels.dropped(view, state.entities);
         showJoints(editor.mode() == Editor.Mode.REST);
         if (editor.mode() == Editor.Mode.CLOSED) {

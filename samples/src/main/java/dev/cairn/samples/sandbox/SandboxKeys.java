@@ -1,10 +1,12 @@
 package dev.cairn.samples.sandbox;
 
+import dev.cairn.render.app.Scene;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
 import dev.cairn.samples.SampleScene;
 
 import java.util.List;
+import java.util.function.BiConsumer;
 
 /** The keys of the sandbox. Stateless; what they do runs on the simulation thread. */
 final class SandboxKeys {
@@ -21,6 +23,10 @@ final class SandboxKeys {
         Key.DIGIT_0
     };
 
+    static final BiConsumer<Scene, Thrower> THROW = (scene, thrower) -> thrower.throwBall(scene);
+    private static final BiConsumer<Scene, Thrower> EXPLODE =
+            (scene, thrower) -> thrower.explode(scene);
+
     private SandboxKeys() {}
 
     static void bind(
@@ -36,7 +42,8 @@ final class SandboxKeys {
         bindings.onKey(Key.PAGE_DOWN, "next scene", () -> sandbox.step(1))
                 .onKey(Key.PAGE_UP, "previous scene", () -> sandbox.step(-1))
                 .onKey(Key.R, "restart", sandbox::startAgain)
-                .onKey(Key.B, "throw a ball", sandbox::throwBall)
+                .onKey(Key.B, "throw a ball", () -> sandbox.act(THROW))
+                .onKey(Key.X, "explode", () -> sandbox.act(EXPLODE))
                 .onKey(Key.HOME, "look from the start", lookFromStart)
                 .onKey(Key.COMMA, "back in time", time::back)
                 .onKey(Key.PERIOD, "forth in time", time::forth)

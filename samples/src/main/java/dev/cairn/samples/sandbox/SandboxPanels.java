@@ -13,8 +13,10 @@ import dev.cairn.samples.panel.Places;
 import org.joml.Vector3d;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /** The panels of the sandbox. Window thread; acts on the world by posting only. */
@@ -22,6 +24,7 @@ final class SandboxPanels {
     private static final double GAP = Places.GAP;
     private static final double LEFT_WIDTH = Places.WIDTH;
     private static final double TABS_HEIGHT = 76;
+    static final String SEARCH = "search";
     private static final int WORLD_TAB = 2;
     private static final String[] TABS = {"Scenes", "Scene", "World"};
     private static final String[] CHOSEN_TABS = {"[Scenes]", "[Scene]", "[World]"};
@@ -38,6 +41,10 @@ final class SandboxPanels {
     /** Values that were asked for and may not have come back from the simulation yet. */
     private final Map<String, Double> asked = new HashMap<>();
 
+    private String sought = "";
+    private boolean listed;
+    private final boolean[] isHit;
+    private final int[] hits;
     private int tab;
     private int shownScene = -1;
     private long pressedEntity;
@@ -55,6 +62,13 @@ final class SandboxPanels {
                 groups.add(scene.group());
             }
         }
+        isHit = new boolean[scenes.size()];
+        hits = new int[groups.size()];
+    }
+
+    /** How many scenes the search leaves. */
+    int listed() {
+        return Arrays.stream(hits).sum();
     }
 
     void toggleHidden() {
@@ -168,13 +182,15 @@ final class SandboxPanels {
 
     private void scenes(Ui ui, SandboxState state, double top, double height) {
         if (ui.panel("Scenes", GAP, top, LEFT_WIDTH, height)) {
+            search(ui);
             // By index: an iterator would be garbage of every frame.
             for (int g = 0; g < groups.size(); g++) {
                 String group = groups.get(g);
-                if (ui.section(group, true)) {
+                if (hits[g] > 0 && ui.section(group, true)) {
                     for (int i = 0; i < scenes.size(); i++) {
                         SampleScene scene = scenes.get(i);
-                        if (scene.group().equals(group)
+                        if (isHit[i]
+                                && scene.group().equals(group)
                                 && ui.item(scene.title(), i == state.scene, "")) {
                             int index = i;
                             sandbox.post(() -> sandbox.show(index));
@@ -185,6 +201,32 @@ final class SandboxPanels {
             }
         }
         ui.endPanel();
+    }
+
+    /** A field for words; only scenes whose texts have all of them are listed. */
+    private void search(Ui ui) {
+        String typed = ui.textField(SEARCH, sought);
+        if (typed.equals(sought) && listed) {
+            return;
+        }
+        listed = true;
+        sought = typed;
+        String[] words = typed.toLowerCase(Locale.ROOT).strip().split("\\s+");
+        Arrays.fill(hits, 0);
+        for (int i = 0; i < scenes.size(); i++) {
+            SampleScene scene = scenes.get(i);
+            String texts =
+                    (scene.id()
+                                    + " "
+                                    + scene.title()
+                                    + " "
+                                    + scene.group()
+                                    + " "
+                                    + scene.description())
+                            .toLowerCase(Locale.ROOT);
+            isHit[i] = Arrays.stream(words).allMatch(texts::contains);
+            hits[groups.indexOf(scene.group())] += isHit[i] ? 1 : 0;
+        }
     }
 
     private void chosen(Ui ui, SandboxState state, double top, double height) {

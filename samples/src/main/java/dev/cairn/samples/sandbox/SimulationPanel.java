@@ -190,11 +190,11 @@ final class SimulationPanel {
         double speed = ui.slider("throw", ball.speed(), 0, 60, 1, "m/s");
         if (radius != ball.radius() || density != ball.density() || speed != ball.speed()) {
             Thrower.Ball wanted = new Thrower.Ball(radius, density, speed);
-            sandbox.post(() -> sandbox.ball(wanted));
+            sandbox.post(() -> sandbox.act((scene, thrower) -> thrower.ball(wanted)));
         }
         ui.columns(1);
         if (ui.button("Throw")) {
-            sandbox.post(sandbox::throwBall);
+            sandbox.post(() -> sandbox.act(SandboxKeys.THROW));
         }
     }
 

@@ -9,8 +9,8 @@ import org.jspecify.annotations.Nullable;
  * @param rgb colour that the texture is multiplied by, 0xRRGGBB in sRGB, or null for one of the
  *     palette, by the entity's place in the list
  * @param texture path of a {@code .png}, or a built-in one ({@code builtin:grid}, {@code
- *     builtin:panel}, {@code builtin:beach-ball}, {@code builtin:metal}, {@code builtin:glass}, {@code builtin:plain}), or
- *     null for that of the shape
+ *     builtin:panel}, {@code builtin:beach-ball}, {@code builtin:metal}, {@code builtin:glass},
+ *     {@code builtin:plain}), or null for that of the shape
  * @param tileMetres the texture repeats after so many metres; 0 = the mesh's own coordinates
  * @param mesh path of an {@code .obj} that is drawn instead of the shape, or null
  * @param meshScale factors along the axes of that mesh, &gt; 0

@@ -55,4 +55,23 @@ class RecordWindowTest extends WindowFixture {
         String told = plays(run, end);
         assertTrue(told.contains("%.0f ticks from tick 0".formatted(end.number("tick"))), told);
     }
+
+    @Test
+    void anExplosionBlowsTheStackApartAndIsWrittenToo() throws IOException, InterruptedException {
+        await("the stack", seen -> seen.number("tick") >= 60);
+        moveTo(512, 340);
+        type("click", "1");
+        Seen before = await("a box to be told about", seen -> seen.is("held", "box_1"));
+        settle();
+        type("key", "x");
+        await("it to fly", seen -> Math.abs(seen.number("heldX") - before.number("heldX")) > 0.5);
+        look("exploded");
+        type("key", "p");
+        await("the pause", seen -> seen.flag("paused"));
+        settle();
+        Seen end = now();
+        type("key", "Escape");
+        assertEquals(0, ended());
+        plays(folder.resolve(SandboxProbe.RUN), end);
+    }
 }

@@ -171,10 +171,10 @@ final class SandboxProbe extends Sandbox {
                 "frame=%d tick=%d worldTick=%d paused=%b eyeX=%.6f eyeY=%.6f eyeZ=%.6f pulling=%b"
                     + " held=%s heldX=%.6f gap=%.6f sliderX=%.1f sliderY=%.1f sliderWidth=%.1f"
                     + " sliderHeight=%.1f bodies=%d uiWidth=%.0f uiHeight=%.0f uiScale=%.2f full=%b"
-                    + " substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d shortened=%d overlapping=%d"
-                    + " oldest=%d newest=%d kept=%d future=%b apart=%.9f sameAgain=%d otherAgain=%d"
-                    + " digestTick=%d digest=%016x barX=%.1f barY=%.1f barWidth=%.1f sinkKeys=%s"
-                    + " listKeys=%s followed=%b%s%n",
+                    + " substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d shortened=%d"
+                    + " overlapping=%d oldest=%d newest=%d kept=%d future=%b apart=%.9f"
+                    + " sameAgain=%d otherAgain=%d digestTick=%d digest=%016x barX=%.1f barY=%.1f"
+                    + " barWidth=%.1f sinkKeys=%s listKeys=%s followed=%b%s%n",
                 view.frames(),
                 state.tick,
                 view.snapshot().tick(),
