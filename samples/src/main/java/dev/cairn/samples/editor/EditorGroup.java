@@ -6,8 +6,10 @@ import dev.cairn.samples.scenefile.Xyz;
 import dev.cairn.samples.scenefile.edit.GroupEdit;
 import dev.cairn.samples.scenefile.edit.GroupEdit.Part;
 
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.BiFunction;
 import java.util.stream.IntStream;
@@ -20,10 +22,40 @@ public final class EditorGroup {
     private final Editor editor;
     private final Selection selection;
     private @Nullable Part copied;
+    private final Vector3d middle = new Vector3d();
+    private int[] middleOf = {};
+    private @Nullable SceneFile middleIn;
 
     EditorGroup(Editor editor, Selection selection) {
         this.editor = editor;
         this.selection = selection;
+    }
+
+    /**
+     * The middle of the box around all that is selected. Makes no garbage while that stays the
+     * same.
+     *
+     * @param dest receives the point, world, m; unchanged if nothing is selected
+     */
+    @SuppressWarnings("ReferenceEquality") // a changed scene or selection is another object
+    public void middle(Vector3d dest) {
+        int[] which = editor.selection();
+        if (which.length > 0 && (which != middleOf || editor.scene() != middleIn)) {
+            middleOf = which;
+            middleIn = editor.scene();
+            Sizes box =
+                    Sizes.around(
+                            Arrays.stream(which)
+                                    .mapToObj(editor.scene().entities()::get)
+                                    .toList());
+            middle.set(
+                    (box.low().x() + box.high().x()) / 2,
+                    (box.low().y() + box.high().y()) / 2,
+                    (box.low().z() + box.high().z()) / 2);
+        }
+        if (which.length > 0) {
+            dest.set(middle);
+        }
     }
 
     /** Selects all but the ground. */

@@ -12,8 +12,6 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
-import java.util.List;
-
 /**
  * Three arrows, circles or bars at what is selected. Arrows and circles lie along the axes of the
  * world; bars along those of the entity, and scale all alike where several are selected. World
@@ -77,6 +75,10 @@ public final class Gizmo {
 
     private @Nullable SceneFile start;
     private final Vector3d heldCentre = new Vector3d();
+
+    /** Where the entity chosen last was: what the grid is for. */
+    private final Vector3d heldPlace = new Vector3d();
+
     private double taken;
 
     /** Arrows, nothing held. */
@@ -152,6 +154,10 @@ public final class Gizmo {
         }
         taken = now;
         start = editor.scene();
+        EntitySpec last = editor.selectedEntity();
+        if (last != null) {
+            heldPlace.set(last.position().x(), last.position().y(), last.position().z());
+        }
         return true;
     }
 
@@ -171,7 +177,7 @@ public final class Gizmo {
         Xyz pivot = new Xyz(heldCentre.x, heldCentre.y, heldCentre.z);
         switch (mode) {
             case MOVE -> {
-                double place = heldCentre.get(axis);
+                double place = heldPlace.get(axis);
                 double to = place + now - taken;
                 double by = (grid > 0 ? Math.rint(to / grid) * grid : to) - place;
                 Xyz shift = along(axis, by, 0);
@@ -203,19 +209,13 @@ public final class Gizmo {
 
     /** Middle of what is selected, and the axes of the handles; false without anything. */
     private boolean place(Editor editor) {
-        int[] which = editor.selection();
-        List<EntitySpec> all = editor.scene().entities();
         EntitySpec last = editor.selectedEntity();
         if (last == null) {
             return false;
         }
-        centre.zero();
-        for (int index : which) {
-            Xyz p = all.get(index).position();
-            centre.add(p.x() / which.length, p.y() / which.length, p.z() / which.length);
-        }
+        editor.group().middle(centre);
         turn.identity();
-        if (mode == Mode.SCALE && which.length == 1) {
+        if (mode == Mode.SCALE && editor.selection().length == 1) {
             Turn t = last.rotation();
             turn.set(t.x(), t.y(), t.z(), t.w()).normalize();
         }
