@@ -45,9 +45,7 @@ public final class EditorGroup {
             middleIn = editor.scene();
             Sizes box =
                     Sizes.around(
-                            Arrays.stream(which)
-                                    .mapToObj(editor.scene().entities()::get)
-                                    .toList());
+                            Arrays.stream(which).mapToObj(editor.scene().entities()::get).toList());
             middle.set(
                     (box.low().x() + box.high().x()) / 2,
                     (box.low().y() + box.high().y()) / 2,
