@@ -130,7 +130,7 @@ public final class EditorGroup {
 
     /**
      * Changes all that is selected, in one way. Changes of one kind become one step of the history
-     * until {@link #seal}.
+     * until {@link Editor#seal}.
      *
      * @param what the kind of change, a word
      * @param change from a scene and the places of what is selected to the changed scene
