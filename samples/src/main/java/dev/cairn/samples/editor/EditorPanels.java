@@ -306,7 +306,12 @@ public final class EditorPanels {
 
     private void nextTool() {
         Gizmo gizmo = mouse.gizmo();
-        gizmo.mode(MODES[(gizmo.mode().ordinal() + 1) % MODES.length]);
+        gizmo.mode(
+                switch (gizmo.mode()) {
+                    case MOVE -> Gizmo.Mode.TURN;
+                    case TURN -> Gizmo.Mode.SCALE;
+                    case SCALE -> Gizmo.Mode.MOVE;
+                });
     }
 
     /** What the handles at the selection do. */

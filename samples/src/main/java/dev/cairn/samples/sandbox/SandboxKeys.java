@@ -6,7 +6,6 @@ import dev.cairn.render.input.Key;
 import dev.cairn.samples.SampleScene;
 
 import java.util.List;
-import java.util.function.BiConsumer;
 
 /** The keys of the sandbox. Stateless; what they do runs on the simulation thread. */
 final class SandboxKeys {
@@ -23,10 +22,6 @@ final class SandboxKeys {
         Key.DIGIT_0
     };
 
-    static final BiConsumer<Scene, Thrower> THROW = (scene, thrower) -> thrower.throwBall(scene);
-    private static final BiConsumer<Scene, Thrower> EXPLODE =
-            (scene, thrower) -> thrower.explode(scene);
-
     private SandboxKeys() {}
 
     static void bind(
@@ -42,8 +37,8 @@ final class SandboxKeys {
         bindings.onKey(Key.PAGE_DOWN, "next scene", () -> sandbox.step(1))
                 .onKey(Key.PAGE_UP, "previous scene", () -> sandbox.step(-1))
                 .onKey(Key.R, "restart", sandbox::startAgain)
-                .onKey(Key.B, "throw a ball", () -> sandbox.act(THROW))
-                .onKey(Key.X, "explode", () -> sandbox.act(EXPLODE))
+                .onKey(Key.B, "throw a ball", () -> sandbox.act(SandboxKeys::throwBall))
+                .onKey(Key.X, "explode", () -> sandbox.act(SandboxKeys::explode))
                 .onKey(Key.HOME, "look from the start", lookFromStart)
                 .onKey(Key.COMMA, "back in time", time::back)
                 .onKey(Key.PERIOD, "forth in time", time::forth)
@@ -51,5 +46,13 @@ final class SandboxKeys {
                 .onKey(Key.L, "to kept moment", time::backToKept)
                 .onKey(Key.M, "save moment", sandbox.files()::saveMoment)
                 .onKey(Key.F9, "bug report", sandbox.files()::writeReport);
+    }
+
+    static void throwBall(Scene scene, Thrower thrower) {
+        thrower.throwBall(scene);
+    }
+
+    private static void explode(Scene scene, Thrower thrower) {
+        thrower.explode(scene);
     }
 }

@@ -194,7 +194,7 @@ final class SimulationPanel {
         }
         ui.columns(1);
         if (ui.button("Throw")) {
-            sandbox.post(() -> sandbox.act(SandboxKeys.THROW));
+            sandbox.post(() -> sandbox.act(SandboxKeys::throwBall));
         }
     }
 
