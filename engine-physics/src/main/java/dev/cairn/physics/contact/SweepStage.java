@@ -41,7 +41,10 @@ public final class SweepStage {
     private static final double FAST = 0.25;
 
     /** The same: who passes by more is struck within the tick, see {@link ImpactStage}. */
-    private static final double VERY_FAST = 1;
+    private static final double VERY_FAST = 4;
+
+    /** The same of balls, which touch in one point and need no search for it. */
+    private static final double ROUND_FAST = 1;
 
     private static final byte TIED = 2;
 
@@ -274,6 +277,19 @@ public final class SweepStage {
         return HARMLESS;
     }
 
+    /** Whether two bodies are struck within the tick. */
+    private boolean isVeryFast(int row) {
+        return isFast(
+                row,
+                isRound(contacts.bodyA[row]) && isRound(contacts.bodyB[row])
+                        ? ROUND_FAST
+                        : VERY_FAST);
+    }
+
+    private boolean isRound(int body) {
+        return colliders.bodies.isBall[body] || colliders.bodies.kind[body] != BodyStore.DYNAMIC;
+    }
+
     /** Whether two bodies pass each other by a good part of the thinner one in a tick. */
     private boolean isFast(int row, double share) {
         ContactStore c = contacts;
@@ -333,14 +349,17 @@ public final class SweepStage {
                 state[i] = TOUCHING;
                 meets[c.bodyA[row]] = true;
                 meets[c.bodyB[row]] = true;
-                if (isFast(row, VERY_FAST) && stage.fits(row) && pair.meet(row, step)) {
+                if (isVeryFast(row)
+                        && stage.fits(row)
+                        && !stage.isHeld(row)
+                        && pair.meet(row, step)) {
                     when[i] = pair.time();
                 }
                 continue;
             }
             boolean meet = pair.meet(row, step);
             if (meet || pair.isUndecided()) {
-                when[i] = isFast(row, VERY_FAST) ? pair.time() : when[i];
+                when[i] = isVeryFast(row) ? pair.time() : when[i];
                 state[i] = meet ? CLOSING : LOST;
                 meets[c.bodyA[row]] = true;
                 meets[c.bodyB[row]] = true;

@@ -120,6 +120,25 @@ public final class ImpactStage {
     }
 
     /**
+     * Whether the meeting of a row is a formula, and a bounce follows: of balls, and what stays.
+     */
+    private boolean isExact(int row) {
+        return contacts.restitution[row] > 0
+                && !isHeld(row)
+                && isRound(contacts.bodyA[row])
+                && isRound(contacts.bodyB[row]);
+    }
+
+    private boolean isRound(int body) {
+        return colliders.bodies.isBall[body] || colliders.bodies.kind[body] != BodyStore.DYNAMIC;
+    }
+
+    /** Whether a body of a row touches others, who hold it while it is struck. */
+    public boolean isHeld(int row) {
+        return bodies.isBound(contacts.bodyA[row]) || bodies.isBound(contacts.bodyB[row]);
+    }
+
+    /**
      * A row whose bodies meet.
      *
      * @param time when, s after the tick's start
@@ -174,7 +193,8 @@ public final class ImpactStage {
 
     /**
      * Impacts change who meets whom, so all are struck in the order of their times: slower meetings
-     * come into the queue too, of all that hang together by contacts with who is struck.
+     * come into the queue too, of all that hang together by contacts with who is struck. Who does
+     * not bounce is left to the solver.
      */
     private void gather() {
         bodies.clearMarks();
@@ -192,12 +212,12 @@ public final class ImpactStage {
                 seen[row] = true;
                 bodies.mark(contacts.bodyA[row]);
                 bodies.mark(contacts.bodyB[row]);
-                if (!contacts.isSolved(row)) {
+                if (!contacts.isSolved(row) || !isExact(row)) {
                     continue;
                 }
                 int a = contacts.colliderA[row];
                 int b = contacts.colliderB[row];
-                if (!isDead(a, b, row) && (pair.meet(a, b, 0, step) || pair.isUndecided())) {
+                if (pair.meet(a, b, 0, step) || pair.isUndecided()) {
                     queue.add(pair.time(), a, b, 0, 0, row, pair.isUndecided());
                 }
             }
@@ -210,7 +230,7 @@ public final class ImpactStage {
         }
     }
 
-    /** Rows of bodies that are followed to the end: all that they meet has been struck. */
+    /** Rows of bodies that are followed to the end: all that they bounce off has been struck. */
     private void release() {
         for (int i = 0; i < bodies.markedCount; i++) {
             int body = bodies.marked[i];
@@ -219,7 +239,7 @@ public final class ImpactStage {
                 if (bodies.isFollowed(contacts.bodyA[row])
                         && bodies.isFollowed(contacts.bodyB[row])
                         && bodies.fits(row)
-                        && !isDead(contacts.colliderA[row], contacts.colliderB[row], row)) {
+                        && isExact(row)) {
                     contacts.disable(row);
                 }
             }
@@ -269,7 +289,11 @@ public final class ImpactStage {
         for (int i = 0; i < count; i++) {
             int a = taken[3 * i];
             int b = taken[3 * i + 1];
-            if (isShared(i, count) || !bodies.fits(a, b) || isDead(a, b, taken[3 * i + 2])) {
+            boolean isHeld = bodies.isBound(colliders.body[a]) || bodies.isBound(colliders.body[b]);
+            if (isHeld
+                    || isShared(i, count)
+                    || !bodies.fits(a, b)
+                    || isDead(a, b, taken[3 * i + 2])) {
                 leave(a, b, taken[3 * i + 2], time);
             }
         }

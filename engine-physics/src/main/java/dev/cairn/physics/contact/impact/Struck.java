@@ -84,6 +84,11 @@ final class Struck {
                 || (isMarked[body] && !closed[body] && free[body] == 0);
     }
 
+    /** Whether a body that moves touches others. */
+    boolean isBound(int body) {
+        return colliders.bodies.kind[body] == BodyStore.DYNAMIC && free[body] != 0;
+    }
+
     /** Whether two bodies of a row may be struck. */
     boolean fits(int row) {
         ContactStore c = contacts;
