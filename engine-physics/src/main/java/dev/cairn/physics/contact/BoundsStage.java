@@ -69,15 +69,15 @@ public final class BoundsStage {
     private int[] blockChanges = {};
     private int[] invalid = new int[16];
     private int invalidCount;
-
     private final BodyStore bodies;
     private final ColliderStore colliders;
     private BroadPhase broadPhase = new BroadPhase();
     private int[] slots = {};
     private int slotCount;
-    private double gravityX;
-    private double gravityY;
-    private double gravityZ;
+
+    /** Of the tick, world, m/s². */
+    double gravityX, gravityY, gravityZ;
+
     private double step;
 
     /**
@@ -133,24 +133,6 @@ public final class BoundsStage {
                                 b,
                                 reach,
                                 Math.min(colliders.innerRadius[a], colliders.innerRadius[b]));
-    }
-
-    /** Acceleration of a body that flies, world, m/s². */
-    double accelerationX(int body) {
-        return bodies.gravityScale[body] * gravityX
-                + bodies.inverseMass[body] * bodies.forceX[body];
-    }
-
-    /** See {@link #accelerationX}. */
-    double accelerationY(int body) {
-        return bodies.gravityScale[body] * gravityY
-                + bodies.inverseMass[body] * bodies.forceY[body];
-    }
-
-    /** See {@link #accelerationX}. */
-    double accelerationZ(int body) {
-        return bodies.gravityScale[body] * gravityZ
-                + bodies.inverseMass[body] * bodies.forceZ[body];
     }
 
     /** Grows the columns; between phases only. */

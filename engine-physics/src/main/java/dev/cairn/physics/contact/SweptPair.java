@@ -219,9 +219,9 @@ final class SweptPair implements MovingPair {
 
     @Override
     public double bend(int body) {
-        double x = bounds.accelerationX(body);
-        double y = bounds.accelerationY(body);
-        double z = bounds.accelerationZ(body);
+        double x = acceleration(body, bounds.gravityX, colliders.bodies.forceX);
+        double y = acceleration(body, bounds.gravityY, colliders.bodies.forceY);
+        double z = acceleration(body, bounds.gravityZ, colliders.bodies.forceZ);
         return 0.5 * Math.sqrt(x * x + y * y + z * z);
     }
 
@@ -343,9 +343,9 @@ final class SweptPair implements MovingPair {
         f.wz = s.angularVelocityZ[body];
         boolean isDynamic = s.kind[body] == BodyStore.DYNAMIC;
         boolean flies = isDynamic && freedom[body] == 0;
-        f.ax = flies ? bounds.accelerationX(body) : 0;
-        f.ay = flies ? bounds.accelerationY(body) : 0;
-        f.az = flies ? bounds.accelerationZ(body) : 0;
+        f.ax = flies ? acceleration(body, bounds.gravityX, colliders.bodies.forceX) : 0;
+        f.ay = flies ? acceleration(body, bounds.gravityY, colliders.bodies.forceY) : 0;
+        f.az = flies ? acceleration(body, bounds.gravityZ, colliders.bodies.forceZ) : 0;
         f.turned(
                 s.orientationX[slot],
                 s.orientationY[slot],
@@ -358,6 +358,12 @@ final class SweptPair implements MovingPair {
                 isChild ? s.apartZ(body, slot) : 0);
         f.begin(colliders.outerRadius[slot], f.shape instanceof Sphere);
         return isDynamic && f.rim() > 0 && !isSteady(body) ? doubt(f, slot) : 0;
+    }
+
+    /** Acceleration of a body that flies along an axis, m/s². */
+    private double acceleration(int body, double gravity, double[] force) {
+        BodyStore s = colliders.bodies;
+        return s.gravityScale[body] * gravity + s.inverseMass[body] * force[body];
     }
 
     /** A body without symmetry changes its axis as it turns. */

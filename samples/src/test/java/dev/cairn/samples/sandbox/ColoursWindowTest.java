@@ -3,6 +3,8 @@ package dev.cairn.samples.sandbox;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.samples.window.WindowFixture;
+
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
@@ -15,12 +17,12 @@ class ColoursWindowTest extends WindowFixture {
     private static final int[] HIGHEST = {495, 195};
 
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return SandboxProbe.class;
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.number("tick") >= 60;
     }
 

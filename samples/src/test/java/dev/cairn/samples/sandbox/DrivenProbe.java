@@ -4,6 +4,7 @@ import dev.cairn.render.app.View;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.scenefile.SceneReader;
 import dev.cairn.samples.scenes.stack.StackOfBoxes;
+import dev.cairn.samples.window.WindowFixture;
 
 import java.io.IOException;
 import java.nio.file.Files;

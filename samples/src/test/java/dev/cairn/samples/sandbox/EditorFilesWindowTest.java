@@ -8,6 +8,8 @@ import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneWriter;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.window.WindowFixture;
+import dev.cairn.samples.window.WindowManager;
 
 import org.junit.jupiter.api.Test;
 
@@ -34,17 +36,17 @@ class EditorFilesWindowTest extends WindowFixture {
             """;
 
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return EditorProbe.class;
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.number("tick") >= 1;
     }
 
     @Override
-    void prepare() throws IOException {
+    public void prepare() throws IOException {
         Files.writeString(folder.resolve("thing.obj"), TETRAHEDRON);
         Files.createDirectory(folder.resolve("below"));
         BufferedImage red = new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB);

@@ -6,6 +6,7 @@ import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.editor.files.LeaveQuestion;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenes.stack.StackOfBoxes;
+import dev.cairn.samples.window.WindowFixture;
 
 import org.joml.Vector3d;
 

@@ -3,6 +3,8 @@ package dev.cairn.samples.sandbox;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.samples.window.WindowFixture;
+
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
@@ -10,12 +12,12 @@ import java.io.IOException;
 /** Handles, several things at once, the clipboard and the floor, in the real window. */
 class EditorToolsWindowTest extends WindowFixture {
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return EditorProbe.class;
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.number("tick") >= 1;
     }
 

@@ -8,6 +8,8 @@ import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneReader;
 import dev.cairn.samples.scenefile.Xyz;
+import dev.cairn.samples.window.WindowFixture;
+import dev.cairn.samples.window.WindowManager;
 
 import org.junit.jupiter.api.Test;
 
@@ -16,12 +18,12 @@ import java.io.IOException;
 /** The editor from end to end, by {@link EditorProbe}. */
 class EditorWindowTest extends WindowFixture {
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return EditorProbe.class;
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.number("tick") >= 1;
     }
 

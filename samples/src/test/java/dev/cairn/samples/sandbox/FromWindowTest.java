@@ -13,6 +13,7 @@ import dev.cairn.samples.replay.Looks;
 import dev.cairn.samples.replay.Player;
 import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenes.stack.StackOfBoxes;
+import dev.cairn.samples.window.WindowFixture;
 
 import org.junit.jupiter.api.Test;
 
@@ -29,18 +30,18 @@ class FromWindowTest extends WindowFixture {
     private final List<String> digests = new ArrayList<>();
 
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return SandboxProbe.class;
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.number("tick") >= SAVED;
     }
 
     /** A stack on which a ball was thrown, in the middle of its fall. */
     @Override
-    void prepare() throws IOException {
+    public void prepare() throws IOException {
         SampleScene scene = StackOfBoxes.scene();
         try (PhysicsWorld world =
                 PhysicsWorld.builder()

@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.samples.window.WindowFixture;
+import dev.cairn.samples.window.WindowManager;
+
 import org.junit.jupiter.api.Test;
 
 import java.awt.image.BufferedImage;
@@ -14,12 +17,12 @@ import java.nio.file.Files;
 /** How the window behaves beside other windows, and what it does to keys, in the real window. */
 class MannersTest extends WindowFixture {
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return SandboxProbe.class;
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.number("tick") >= 5;
     }
 

@@ -3,6 +3,8 @@ package dev.cairn.samples.sandbox;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.samples.window.WindowFixture;
+
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
@@ -19,18 +21,18 @@ class NothingLostTest extends WindowFixture {
     private static final int GLASS = 0x232A35;
 
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return SandboxProbe.class;
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.number("tick") >= 30;
     }
 
     /** What the user has rebound the last time. */
     @Override
-    void prepare() throws IOException {
+    public void prepare() throws IOException {
         Files.writeString(keys(), "throw a ball = F7\nno such action = A\n");
     }
 

@@ -3,6 +3,9 @@ package dev.cairn.samples.sandbox;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.samples.window.WindowFixture;
+import dev.cairn.samples.window.WindowManager;
+
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
@@ -12,17 +15,17 @@ import java.nio.file.Path;
 /** A run of a scene in the editor, as {@code samples --window --record} writes it. */
 class RecordEditorTest extends WindowFixture {
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return DrivenProbe.class;
     }
 
     @Override
-    void prepare() throws IOException {
+    public void prepare() throws IOException {
         Files.createFile(folder.resolve(SandboxProbe.RUN));
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.is("mode", "REST") && seen.number("frame") > 3;
     }
 

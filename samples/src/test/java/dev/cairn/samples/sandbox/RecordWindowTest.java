@@ -3,6 +3,8 @@ package dev.cairn.samples.sandbox;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.samples.window.WindowFixture;
+
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
@@ -12,18 +14,18 @@ import java.nio.file.Path;
 /** A whole run in the real window, as {@code samples --window --record} writes it. */
 class RecordWindowTest extends WindowFixture {
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return SandboxProbe.class;
     }
 
     /** The probe records where it finds the file. */
     @Override
-    void prepare() throws IOException {
+    public void prepare() throws IOException {
         Files.createFile(folder.resolve(SandboxProbe.RUN));
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.number("tick") >= 5;
     }
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.cairn.samples.Main;
 import dev.cairn.samples.scenefile.SceneReader;
 import dev.cairn.samples.scenefile.SceneWriter;
+import dev.cairn.samples.window.WindowFixture;
 
 import org.junit.jupiter.api.Test;
 
@@ -19,12 +20,12 @@ import java.nio.file.Path;
 /** Moments and reports of a scene in the editor in which keys drive a ball, in the real window. */
 class ReportWindowTest extends WindowFixture {
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return DrivenProbe.class;
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.is("mode", "REST") && seen.number("frame") > 3;
     }
 

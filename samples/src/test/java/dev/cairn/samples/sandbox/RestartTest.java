@@ -3,6 +3,8 @@ package dev.cairn.samples.sandbox;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.samples.window.WindowFixture;
+
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -16,17 +18,17 @@ class RestartTest extends WindowFixture {
     private static final int MOST_FRAMES = 500;
 
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return RestartProbe.class;
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.number("worlds") >= 1;
     }
 
     @Override
-    long deadlineSeconds() {
+    public long deadlineSeconds() {
         return 900;
     }
 

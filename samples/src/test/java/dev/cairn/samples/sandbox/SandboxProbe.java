@@ -9,6 +9,7 @@ import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenes.stack.StackOfBoxes;
+import dev.cairn.samples.window.WindowFixture;
 
 import org.joml.Vector3d;
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.render.app.DebugLayer;
+import dev.cairn.samples.window.WindowFixture;
 
 import org.junit.jupiter.api.Test;
 
@@ -13,13 +14,13 @@ import java.io.IOException;
 /** The sandbox from end to end, by {@link SandboxProbe}. */
 class SandboxWindowTest extends WindowFixture {
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return SandboxProbe.class;
     }
 
     /** After a second of the stack falling. */
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.number("tick") >= 60;
     }
 

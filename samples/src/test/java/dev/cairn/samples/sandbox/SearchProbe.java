@@ -7,6 +7,7 @@ import dev.cairn.samples.scenes.BouncingBall;
 import dev.cairn.samples.scenes.Cradle;
 import dev.cairn.samples.scenes.SlopeBox;
 import dev.cairn.samples.scenes.stack.StackOfBoxes;
+import dev.cairn.samples.window.WindowFixture;
 
 import java.util.List;
 import java.util.Locale;

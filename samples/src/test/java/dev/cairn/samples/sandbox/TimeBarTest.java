@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.samples.Main;
+import dev.cairn.samples.window.WindowFixture;
 
 import org.junit.jupiter.api.Test;
 
@@ -17,13 +18,13 @@ import java.nio.file.Path;
 /** Back and forth through the last minutes, in the real window. */
 class TimeBarTest extends WindowFixture {
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return SandboxProbe.class;
     }
 
     /** In the beginning, while the boxes fall: what differs then shows for long. */
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.number("tick") >= 5;
     }
 

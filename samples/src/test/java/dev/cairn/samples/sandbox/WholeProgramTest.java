@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.samples.Main;
+import dev.cairn.samples.window.WindowFixture;
 
 import org.junit.jupiter.api.Test;
 
@@ -13,22 +14,22 @@ import java.util.List;
 /** The samples as they are started from a command line, seen by their title alone. */
 class WholeProgramTest extends WindowFixture {
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return Main.class;
     }
 
     @Override
-    boolean tellsFrames() {
+    public boolean tellsFrames() {
         return false;
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return true;
     }
 
     @Override
-    List<String> arguments() {
+    public List<String> arguments() {
         return List.of("--scene", "room", "--window");
     }
 

@@ -37,6 +37,7 @@ public final class ImpactStage {
     private final Impact impact = new Impact();
     private final MovingPair pair;
     private final Struck bodies;
+    private final Followed followed;
     private final Ahead ahead;
 
     /** The material of two colliders that have no row. */
@@ -48,9 +49,6 @@ public final class ImpactStage {
 
     /** By body: orientation and angular velocity at the last impact. */
     private double[] last = {};
-
-    /** By row: it is in the queue, or was looked at. */
-    private boolean[] seen = {};
 
     /** Meetings of one time: two colliders and their row. */
     private int[] taken = {};
@@ -74,6 +72,7 @@ public final class ImpactStage {
         this.pair = pair;
         outcome = new Outcome(colliders, contacts);
         bodies = new Struck(colliders, contacts);
+        followed = new Followed(colliders, contacts, bodies, pair, queue);
         ahead = new Ahead(colliders, bodies, pair, queue);
     }
 
@@ -92,9 +91,7 @@ public final class ImpactStage {
         if (last.length < 7 * slots) {
             last = new double[7 * (slots + (slots >> 1))];
         }
-        if (seen.length < contacts.count) {
-            seen = new boolean[contacts.bodyA.length];
-        }
+        followed.begin();
         bodies.begin(freedom);
         outcome.clear();
         queue.clear();
@@ -120,22 +117,13 @@ public final class ImpactStage {
     }
 
     /**
-     * Whether the meeting of a row is a formula, and a bounce follows: of balls, and what stays.
+     * Whether a body of a row touches others, who hold it while it is struck.
+     *
+     * @param row of a contact
+     * @return whether they are the solver's
      */
-    private boolean isExact(int row) {
-        return contacts.restitution[row] > 0
-                && !isHeld(row)
-                && isRound(contacts.bodyA[row])
-                && isRound(contacts.bodyB[row]);
-    }
-
-    private boolean isRound(int body) {
-        return colliders.bodies.isBall[body] || colliders.bodies.kind[body] != BodyStore.DYNAMIC;
-    }
-
-    /** Whether a body of a row touches others, who hold it while it is struck. */
     public boolean isHeld(int row) {
-        return bodies.isBound(contacts.bodyA[row]) || bodies.isBound(contacts.bodyB[row]);
+        return bodies.isHeld(row);
     }
 
     /**
@@ -145,7 +133,7 @@ public final class ImpactStage {
      * @param isLost whether they do not, but nobody knows what they do from there on
      */
     public void add(int row, double time, boolean isLost) {
-        seen[row] = true;
+        followed.see(row);
         queue.add(time, contacts.colliderA[row], contacts.colliderB[row], 0, 0, row, isLost);
     }
 
@@ -160,7 +148,7 @@ public final class ImpactStage {
         start = starts;
         threshold = bounceSpeed;
         bodies.link();
-        gather();
+        followed.gather(step);
         ahead.begin(boxes, starts, step);
         while (queue.poll()) {
             if (!isOpen()) {
@@ -182,66 +170,11 @@ public final class ImpactStage {
             }
             strikeTaken(first);
         }
-        release();
+        followed.release();
         for (int i = 0; i < bodies.count; i++) {
             int body = bodies.list[i];
             if (!bodies.closed[body] && bodies.free[body] == 0 && !pair.isSteady(body)) {
                 keepTurning(body);
-            }
-        }
-    }
-
-    /**
-     * Impacts change who meets whom, so all are struck in the order of their times: slower meetings
-     * come into the queue too, of all that hang together by contacts with who is struck. Who does
-     * not bounce is left to the solver.
-     */
-    private void gather() {
-        bodies.clearMarks();
-        for (int i = 0; i < queue.size(); i++) {
-            bodies.mark(colliders.body[queue.first(i)]);
-            bodies.mark(colliders.body[queue.second(i)]);
-        }
-        for (int i = 0; i < bodies.markedCount; i++) {
-            int body = bodies.marked[i];
-            for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
-                int row = link >> 1;
-                if (seen[row] || !bodies.fits(row)) {
-                    continue;
-                }
-                seen[row] = true;
-                bodies.mark(contacts.bodyA[row]);
-                bodies.mark(contacts.bodyB[row]);
-                if (!contacts.isSolved(row) || !isExact(row)) {
-                    continue;
-                }
-                int a = contacts.colliderA[row];
-                int b = contacts.colliderB[row];
-                if (pair.meet(a, b, 0, step) || pair.isUndecided()) {
-                    queue.add(pair.time(), a, b, 0, 0, row, pair.isUndecided());
-                }
-            }
-        }
-        for (int i = 0; i < bodies.markedCount; i++) {
-            int body = bodies.marked[i];
-            for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
-                seen[link >> 1] = false;
-            }
-        }
-    }
-
-    /** Rows of bodies that are followed to the end: all that they bounce off has been struck. */
-    private void release() {
-        for (int i = 0; i < bodies.markedCount; i++) {
-            int body = bodies.marked[i];
-            for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
-                int row = link >> 1;
-                if (bodies.isFollowed(contacts.bodyA[row])
-                        && bodies.isFollowed(contacts.bodyB[row])
-                        && bodies.fits(row)
-                        && isExact(row)) {
-                    contacts.disable(row);
-                }
             }
         }
     }

@@ -89,6 +89,11 @@ final class Struck {
         return colliders.bodies.kind[body] == BodyStore.DYNAMIC && free[body] != 0;
     }
 
+    /** Whether a body of a row touches others. */
+    boolean isHeld(int row) {
+        return isBound(contacts.bodyA[row]) || isBound(contacts.bodyB[row]);
+    }
+
     /** Whether two bodies of a row may be struck. */
     boolean fits(int row) {
         ContactStore c = contacts;

@@ -1,4 +1,4 @@
-package dev.cairn.samples.sandbox;
+package dev.cairn.samples.window;
 
 import java.io.IOException;
 import java.net.StandardProtocolFamily;
@@ -14,7 +14,7 @@ import java.nio.file.Path;
  * its close button was pressed. Three requests of the X protocol (X.Org, "X Window System
  * Protocol", appendix B; states and messages by the ICCCM, 4.1.3.1 and 4.2.8.1).
  */
-final class WindowManager implements AutoCloseable {
+public final class WindowManager implements AutoCloseable {
     private static final int CREATE_WINDOW = 1;
     private static final int SET_OWNER = 22;
     private static final int SELECTION_REQUEST = 30;
@@ -46,11 +46,11 @@ final class WindowManager implements AutoCloseable {
         root = setup.getInt(32 + vendor + 8 * setup.get(21));
     }
 
-    void minimise() throws IOException {
+    public void minimise() throws IOException {
         state(ICONIC);
     }
 
-    void restore() throws IOException {
+    public void restore() throws IOException {
         state(NORMAL);
     }
 
@@ -70,7 +70,7 @@ final class WindowManager implements AutoCloseable {
     }
 
     /** The close button. */
-    void askToClose() throws IOException {
+    public void askToClose() throws IOException {
         int protocols = atom("WM_PROTOCOLS");
         int close = atom("WM_DELETE_WINDOW");
         send(
@@ -91,7 +91,7 @@ final class WindowManager implements AutoCloseable {
      * the X Window System", version 5): it owns the selection, tells of the way and of the drop,
      * and hands out the file's name when it is asked.
      */
-    void drop(Path file, int x, int y) throws IOException {
+    public void drop(Path file, int x, int y) throws IOException {
         int selection = atom("XdndSelection");
         int list = atom("text/uri-list");
         int enter = atom("XdndEnter");

@@ -1,4 +1,4 @@
-package dev.cairn.samples.sandbox;
+package dev.cairn.samples.window;
 
 import dev.cairn.physics.Body;
 import dev.cairn.physics.shape.Box;

@@ -1,4 +1,4 @@
-package dev.cairn.samples.sandbox;
+package dev.cairn.samples.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -43,45 +43,45 @@ import javax.imageio.ImageIO;
  * that tells on its standard output what each frame shows. Every wait is for a condition with a
  * deadline.
  */
-abstract class WindowFixture {
-    @TempDir Path folder;
+public abstract class WindowFixture {
+    @TempDir public Path folder;
     private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
     private final long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(deadlineSeconds());
     private Process server;
     private Process sandbox;
     private String display;
     private String window;
-    String last = "nothing yet";
+    public String last = "nothing yet";
 
     /**
      * The program that is started: one line of key=value pairs a frame, the frame's number first.
      */
-    abstract Class<?> program();
+    public abstract Class<?> program();
 
     /** When the window is ready for the test. */
-    abstract boolean ready(Seen seen);
+    public abstract boolean ready(Seen seen);
 
     /** What the program is given on its command line. */
-    List<String> arguments() {
+    public List<String> arguments() {
         return List.of();
     }
 
     /** Whether the program tells of its frames, as a probe does. */
-    boolean tellsFrames() {
+    public boolean tellsFrames() {
         return true;
     }
 
     /** What the program finds when it starts. */
-    void prepare() throws IOException {}
+    public void prepare() throws IOException {}
 
     /** How long the whole test may take, from its beginning. */
-    long deadlineSeconds() {
+    public long deadlineSeconds() {
         return Long.getLong("window.seconds", 90);
     }
 
     /** One frame. */
-    record Seen(Map<String, String> values) {
-        static Seen of(String line) {
+    public record Seen(Map<String, String> values) {
+        public static Seen of(String line) {
             Map<String, String> map = new HashMap<>();
             for (String pair : line.split(" ", -1)) {
                 int equals = pair.indexOf('=');
@@ -92,21 +92,21 @@ abstract class WindowFixture {
             return new Seen(map);
         }
 
-        double number(String key) {
+        public double number(String key) {
             return Double.parseDouble(values.get(key));
         }
 
-        boolean is(String key, String value) {
+        public boolean is(String key, String value) {
             return value.equals(values.get(key));
         }
 
-        boolean flag(String key) {
+        public boolean flag(String key) {
             return Boolean.parseBoolean(values.get(key));
         }
     }
 
     @BeforeEach
-    void openWindow() throws IOException, InterruptedException {
+    public void openWindow() throws IOException, InterruptedException {
         require();
         prepare();
         server =
@@ -159,17 +159,17 @@ abstract class WindowFixture {
     }
 
     /** Where the program keeps the keys of its user. */
-    Path keys() {
+    public Path keys() {
         return folder.resolve("keys.txt");
     }
 
     /** What the window is called. */
-    String title() throws IOException, InterruptedException {
+    public String title() throws IOException, InterruptedException {
         return type("getwindowname", window);
     }
 
     /** Waits until the program has ended by itself; its exit code. */
-    int ended() throws InterruptedException {
+    public int ended() throws InterruptedException {
         if (!sandbox.waitFor(20, TimeUnit.SECONDS)) {
             fail("the window is still open; the last frame was: " + last);
         }
@@ -186,7 +186,7 @@ abstract class WindowFixture {
     }
 
     @AfterEach
-    void closeWindow() throws InterruptedException {
+    public void closeWindow() throws InterruptedException {
         for (Process process : new Process[] {sandbox, server}) {
             if (process != null) {
                 process.destroy();
@@ -237,7 +237,7 @@ abstract class WindowFixture {
     }
 
     /** For a probe's line: where the middle of a widget is, if it was drawn yet. */
-    static String middle(Ui ui, String label) {
+    public static String middle(Ui ui, String label) {
         double[] at = ui.boundsOf(label);
         String key = label.replace(' ', '_');
         return at == null
@@ -252,7 +252,7 @@ abstract class WindowFixture {
     }
 
     /** Clicks on a widget whose middle the probe tells. */
-    void click(String label) throws IOException, InterruptedException {
+    public void click(String label) throws IOException, InterruptedException {
         Seen seen = now();
         String key = label.replace(' ', '_');
         double scale = Double.parseDouble(seen.values().getOrDefault("uiScale", "1"));
@@ -261,13 +261,13 @@ abstract class WindowFixture {
     }
 
     /** Waits until a change of the panels is drawn, so that the places of widgets are right. */
-    void settle() throws IOException, InterruptedException {
+    public void settle() throws IOException, InterruptedException {
         Seen seen = now();
         await("six frames", later -> later.number("frame") > seen.number("frame") + 5);
     }
 
     /** Keeps a picture of the screen for the eyes of a person, where a folder is named. */
-    void look(String name) throws IOException {
+    public void look(String name) throws IOException {
         String pictures = System.getProperty("window.pictures");
         if (pictures != null) {
             ImageIO.write(screen(), "png", Path.of(pictures, name + ".png").toFile());
@@ -275,7 +275,7 @@ abstract class WindowFixture {
     }
 
     /** What the screen shows: the server keeps it in a file, in the format of xwd. */
-    BufferedImage screen() throws IOException {
+    public BufferedImage screen() throws IOException {
         ByteBuffer file = ByteBuffer.wrap(Files.readAllBytes(folder.resolve("Xvfb_screen0")));
         int width = file.getInt(4 * 4);
         int height = file.getInt(5 * 4);
@@ -292,12 +292,12 @@ abstract class WindowFixture {
     }
 
     /** What a window manager does to the window; there is none on this server. */
-    WindowManager manager() throws IOException {
+    public WindowManager manager() throws IOException {
         return new WindowManager(display, Integer.parseInt(window));
     }
 
     /** Waits until the window's thread makes no garbage any more; the first frames make some. */
-    void awaitNoGarbage(String what) throws IOException, InterruptedException {
+    public void awaitNoGarbage(String what) throws IOException, InterruptedException {
         int[] quiet = new int[1];
         await(
                 "ten frames in a row without a byte: " + what,
@@ -308,7 +308,7 @@ abstract class WindowFixture {
     }
 
     /** Runs xdotool to its end. */
-    String type(String... words) throws IOException, InterruptedException {
+    public String type(String... words) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of("xdotool"));
         command.addAll(List.of(words));
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
@@ -320,12 +320,12 @@ abstract class WindowFixture {
     }
 
     /** Press, way and release in one call, so fast that one frame may see all of it. */
-    void dragTo(double x, double y) throws IOException, InterruptedException {
+    public void dragTo(double x, double y) throws IOException, InterruptedException {
         String[] way = {"mousemove", "--window", window, whole(x), whole(y)};
         type("mousedown", "1", way[0], way[1], way[2], way[3], way[4], "mouseup", "1");
     }
 
-    void moveTo(double x, double y) throws IOException, InterruptedException {
+    public void moveTo(double x, double y) throws IOException, InterruptedException {
         type("mousemove", "--window", window, whole(x), whole(y));
     }
 
@@ -334,7 +334,8 @@ abstract class WindowFixture {
     }
 
     /** Reads what the window shows, frame by frame, until it is so. */
-    Seen await(String what, Predicate<Seen> condition) throws IOException, InterruptedException {
+    public Seen await(String what, Predicate<Seen> condition)
+            throws IOException, InterruptedException {
         while (true) {
             String line = lines.poll(200, TimeUnit.MILLISECONDS);
             if (line != null && line.startsWith("frame=")) {
@@ -357,13 +358,13 @@ abstract class WindowFixture {
     }
 
     /** The newest frame. */
-    Seen now() throws IOException, InterruptedException {
+    public Seen now() throws IOException, InterruptedException {
         lines.clear();
         return await("a frame", seen -> true);
     }
 
     /** The hand takes what is in the middle of the window, moves it for half a second, lets go. */
-    final void pullTheMiddle() throws IOException, InterruptedException {
+    public final void pullTheMiddle() throws IOException, InterruptedException {
         moveTo(512, 340);
         type("mousedown", "1");
         Seen pulling = await("a body in the hand", seen -> seen.flag("pulling"));
@@ -374,7 +375,7 @@ abstract class WindowFixture {
     }
 
     /** What is played from a file, by other workers and lanes, ends in the world that was seen. */
-    static String plays(Path run, Seen end) {
+    public static String plays(Path run, Seen end) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         PrintStream both = new PrintStream(out, true, StandardCharsets.UTF_8);
         String[] arguments = {"--replay", run.toString(), "--workers", "2", "--lanes", "4"};

@@ -1,4 +1,4 @@
-package dev.cairn.samples.sandbox;
+package dev.cairn.samples.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
@@ -9,12 +9,12 @@ import java.io.IOException;
 /** Place and moves of the mouse reach the simulation thread, from a real window. */
 class MouseWindowTest extends WindowFixture {
     @Override
-    Class<?> program() {
+    public Class<?> program() {
         return MouseProbe.class;
     }
 
     @Override
-    boolean ready(Seen seen) {
+    public boolean ready(Seen seen) {
         return seen.number("ticks") >= 2;
     }
 
