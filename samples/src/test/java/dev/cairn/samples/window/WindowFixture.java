@@ -46,7 +46,7 @@ import javax.imageio.ImageIO;
 public abstract class WindowFixture {
     @TempDir public Path folder;
     private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
-    private final long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(deadlineSeconds());
+    private long deadline;
     private Process server;
     private Process sandbox;
     private String display;
@@ -107,6 +107,7 @@ public abstract class WindowFixture {
 
     @BeforeEach
     public void openWindow() throws IOException, InterruptedException {
+        deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(deadlineSeconds());
         require();
         prepare();
         server =
