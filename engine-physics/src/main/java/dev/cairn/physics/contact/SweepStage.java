@@ -260,9 +260,10 @@ public final class SweepStage {
         ContactStore c = contacts;
         int first = ContactStore.POINTS * row;
         int end = first + c.pointCount[row];
-        boolean touches = false;
         for (int p = first; p < end; p++) {
-            touches |= c.separation[p] <= 0 || c.normalImpulse[p] > 0;
+            if (c.separation[p] <= 0 || c.normalImpulse[p] > 0) {
+                return TOUCHING;
+            }
         }
         if (!(Reach.fits(colliders.shape[c.colliderA[row]])
                 && Reach.fits(colliders.shape[c.colliderB[row]]))) {
@@ -271,7 +272,7 @@ public final class SweepStage {
         double most = step * Math.max(closing(row, false), closing(row, true));
         for (int p = first; p < end; p++) {
             if (most >= c.separation[p]) {
-                return touches ? TOUCHING : isFast(row, FAST) ? CLOSING : SLOW;
+                return isFast(row, FAST) ? CLOSING : SLOW;
             }
         }
         return HARMLESS;

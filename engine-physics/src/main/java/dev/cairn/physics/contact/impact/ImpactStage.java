@@ -271,8 +271,7 @@ public final class ImpactStage {
         bodies.closed[b] = colliders.bodies.kind[b] == BodyStore.DYNAMIC;
         boolean isStruck = bodies.impacts[a] > 0 || bodies.impacts[b] > 0;
         if (row >= 0 && (isStruck || !contacts.isSolved(row))) {
-            pair.place(first, second, time, step);
-            pair.tell(row, reach);
+            tell(row, time);
         }
         for (int side = 0; side < 2; side++) {
             int body = side == 0 ? a : b;
@@ -286,11 +285,18 @@ public final class ImpactStage {
                 }
                 if (bodies.isPlain(contacts.colliderA[each])
                         && bodies.isPlain(contacts.colliderB[each])) {
-                    pair.place(contacts.colliderA[each], contacts.colliderB[each], time, step);
-                    pair.tell(each, reach);
+                    tell(each, time);
                 }
             }
         }
+    }
+
+    /** Tells a row of a moment; that of two balls, which meet along a formula, of the start. */
+    private void tell(int row, double time) {
+        boolean[] isBall = colliders.bodies.isBall;
+        boolean areBalls = isBall[contacts.bodyA[row]] && isBall[contacts.bodyB[row]];
+        pair.place(contacts.colliderA[row], contacts.colliderB[row], areBalls ? 0 : time, step);
+        pair.tell(row, reach);
     }
 
     /** Whether the other body of a row goes another way than the row was told of. */
