@@ -154,7 +154,7 @@ final class PairSearch {
         for (int b = 0; b < blocks; b++) {
             again[b] = foundCount[b] > found[b].length;
             if (again[b]) {
-                found[b] = new long[foundCount[b] + (foundCount[b] >> 2)];
+                found[b] = new long[2 * foundCount[b]];
                 any = true;
             }
         }

@@ -28,6 +28,14 @@ final class ImpactQueue {
         size = 0;
     }
 
+    /** Makes room for so many meetings. */
+    void reserve(int count) {
+        if (times.length < count) {
+            times = Arrays.copyOf(times, count);
+            meeting = Arrays.copyOf(meeting, count * INTS);
+        }
+    }
+
     int size() {
         return size;
     }
@@ -44,8 +52,7 @@ final class ImpactQueue {
 
     void add(double t, int lower, int upper, int ofLower, int ofUpper, int contact, boolean lost) {
         if (size == times.length) {
-            times = Arrays.copyOf(times, 2 * size);
-            meeting = Arrays.copyOf(meeting, 2 * size * INTS);
+            reserve(2 * size);
         }
         int i = size++;
         times[i] = t;

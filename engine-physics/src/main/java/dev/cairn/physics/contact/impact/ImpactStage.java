@@ -51,7 +51,7 @@ public final class ImpactStage {
     private double[] last = {};
 
     /** Meetings of one time: two colliders and their row. */
-    private int[] taken = {};
+    private int[] taken = new int[192];
 
     private int takenCount;
 
@@ -94,7 +94,9 @@ public final class ImpactStage {
         followed.begin();
         bodies.begin(freedom);
         outcome.clear();
+        outcome.reserve(last.length / 7, contacts.bodyA.length);
         queue.clear();
+        queue.reserve(contacts.bodyA.length);
         if (mixed.count == 0) {
             mixed.append(1);
         }

@@ -38,13 +38,22 @@ final class Outcome {
         hitCount = 0;
     }
 
+    /** Makes room for all bodies and rows, so that no tick with more impacts than others grows. */
+    void reserve(int bodies, int rows) {
+        if (stopped.length < bodies) {
+            stopped = new int[bodies];
+            stops = new double[STOP * bodies];
+        }
+        if (hitRow.length < rows) {
+            hitRow = new int[rows];
+            hitPoints = new int[rows];
+            hitImpulse = new double[3 * rows];
+        }
+    }
+
     /** A place among those that are put somewhere after the solve: there, as the flight is now. */
     int put(int body, Flight f) {
         BodyStore s = colliders.bodies;
-        if (stopCount == stopped.length) {
-            stopped = Arrays.copyOf(stopped, Math.max(8, 2 * stopCount));
-            stops = Arrays.copyOf(stops, STOP * stopped.length);
-        }
         int at = STOP * stopCount;
         stopped[stopCount++] = body;
         stops[at] = f.x;
@@ -95,12 +104,6 @@ final class Outcome {
             i++;
         }
         if (i == hitCount) {
-            if (hitCount == hitRow.length) {
-                int n = Math.max(16, 2 * hitCount);
-                hitRow = Arrays.copyOf(hitRow, n);
-                hitPoints = Arrays.copyOf(hitPoints, n);
-                hitImpulse = Arrays.copyOf(hitImpulse, 3 * n);
-            }
             hitRow[hitCount] = row;
             Arrays.fill(hitImpulse, 3 * hitCount, 3 * hitCount + 3, 0.0);
             hitCount++;
