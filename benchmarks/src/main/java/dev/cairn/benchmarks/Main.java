@@ -2,6 +2,7 @@ package dev.cairn.benchmarks;
 
 import dev.cairn.benchmarks.compare.Compare;
 import dev.cairn.benchmarks.cost.Cost;
+import dev.cairn.benchmarks.cost.Scaling;
 import dev.cairn.benchmarks.narrowphase.ErrorAgainstTime;
 import dev.cairn.benchmarks.regress.Regress;
 import dev.cairn.benchmarks.render.EffectFrame;
@@ -13,8 +14,9 @@ import java.util.Arrays;
 
 /**
  * What {@code benchmarks.jar} runs: {@code compare} starts the work-precision report, {@code cost}
- * the price list, {@code regress} the headline figures, {@code render-frame} the CPU time of a
- * drawn frame, {@code effect-frame} what effects cost; all else is JMH's own command line.
+ * the price list, {@code scaling} times by workers, {@code regress} the headline figures, {@code
+ * render-frame} the CPU time of a drawn frame, {@code effect-frame} what effects cost; all else is
+ * JMH's own command line.
  */
 public final class Main {
     private Main() {}
@@ -31,6 +33,7 @@ public final class Main {
         switch (command) {
             case "compare" -> Compare.main(Arrays.copyOfRange(args, 1, args.length));
             case "cost" -> Cost.main(Arrays.copyOfRange(args, 1, args.length));
+            case "scaling" -> Scaling.main(Arrays.copyOfRange(args, 1, args.length));
             case "narrow-phase" -> ErrorAgainstTime.main(Arrays.copyOfRange(args, 1, args.length));
             case "regress" -> Regress.main(Arrays.copyOfRange(args, 1, args.length));
             case "render-frame" -> RenderFrame.main(Arrays.copyOfRange(args, 1, args.length));

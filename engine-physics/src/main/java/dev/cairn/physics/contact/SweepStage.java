@@ -43,7 +43,7 @@ public final class SweepStage {
     /** The same: who passes by more is struck within the tick, see {@link ImpactStage}. */
     private static final double VERY_FAST = 4;
 
-    /** The same of balls, which touch in one point and need no search for it. */
+    /** The same of balls, which touch in one point. */
     private static final double ROUND_FAST = 1;
 
     private static final byte TIED = 2;
@@ -279,16 +279,8 @@ public final class SweepStage {
     }
 
     /** Whether two bodies are struck within the tick. */
-    private boolean isVeryFast(int row) {
-        return isFast(
-                row,
-                isRound(contacts.bodyA[row]) && isRound(contacts.bodyB[row])
-                        ? ROUND_FAST
-                        : VERY_FAST);
-    }
-
-    private boolean isRound(int body) {
-        return colliders.bodies.isBall[body] || colliders.bodies.kind[body] != BodyStore.DYNAMIC;
+    private boolean isVeryFast(ImpactStage stage, int row) {
+        return isFast(row, stage.isRound(row) ? ROUND_FAST : VERY_FAST);
     }
 
     /** Whether two bodies pass each other by a good part of the thinner one in a tick. */
@@ -350,7 +342,7 @@ public final class SweepStage {
                 state[i] = TOUCHING;
                 meets[c.bodyA[row]] = true;
                 meets[c.bodyB[row]] = true;
-                if (isVeryFast(row)
+                if (isVeryFast(stage, row)
                         && stage.fits(row)
                         && !stage.isHeld(row)
                         && pair.meet(row, step)) {
@@ -360,7 +352,7 @@ public final class SweepStage {
             }
             boolean meet = pair.meet(row, step);
             if (meet || pair.isUndecided()) {
-                when[i] = isVeryFast(row) ? pair.time() : when[i];
+                when[i] = isVeryFast(stage, row) ? pair.time() : when[i];
                 state[i] = meet ? CLOSING : LOST;
                 meets[c.bodyA[row]] = true;
                 meets[c.bodyB[row]] = true;

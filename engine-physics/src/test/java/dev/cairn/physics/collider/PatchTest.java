@@ -7,7 +7,6 @@ import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Collider;
 import dev.cairn.physics.Contacts;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.HalfSpace;
@@ -205,29 +204,14 @@ class PatchTest {
 
     @Test
     void theSameBitsForWorkersAndLanes() {
-        Set<Long> digests = new HashSet<>();
-        for (int workers = 1; workers <= 2; workers++) {
-            for (int lanes : new int[] {1, 4, 8}) {
-                try (PhysicsWorld world =
-                        Scenes.awake()
-                                .settings(
-                                        PhysicsSettings.DEFAULT
-                                                .withSleeping(false)
-                                                .withLanes(lanes))
-                                .workers(workers)
-                                .build()) {
-                    floor(world, "tiles");
-                    for (int i = 0; i < 24; i++) {
-                        world.add(brick(1 + i % 3).at(i % 4 * .2, .5 + .8 * i, i % 3 * .3));
-                    }
-                    for (int t = 0; t < 90; t++) {
-                        world.step(Scenes.STEP);
-                    }
-                    world.validate();
-                    digests.add(world.digest());
-                }
+        Scenes.assertSameBits(world -> {
+            floor(world, "tiles");
+            for (int i = 0; i < 24; i++) {
+                world.add(brick(1 + i % 3).at(i % 4 * .2, .5 + .8 * i, i % 3 * .3));
             }
-        }
-        assertEquals(1, digests.size());
+            for (int t = 0; t < 90; t++) {
+                world.step(Scenes.STEP);
+            }
+        });
     }
 }

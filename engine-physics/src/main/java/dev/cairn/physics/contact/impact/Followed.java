@@ -1,6 +1,5 @@
 package dev.cairn.physics.contact.impact;
 
-import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 
@@ -94,17 +93,8 @@ final class Followed {
         }
     }
 
-    /**
-     * Whether the meeting of a row is a formula, and a bounce follows: of balls, and what stays.
-     */
+    /** Whether two touch in one point, and bounce, and nobody holds them. */
     private boolean isExact(int row) {
-        return contacts.restitution[row] > 0
-                && !bodies.isHeld(row)
-                && isRound(contacts.bodyA[row])
-                && isRound(contacts.bodyB[row]);
-    }
-
-    private boolean isRound(int body) {
-        return colliders.bodies.isBall[body] || colliders.bodies.kind[body] != BodyStore.DYNAMIC;
+        return contacts.restitution[row] > 0 && !bodies.isHeld(row) && bodies.isRound(row);
     }
 }

@@ -100,22 +100,8 @@ final class Impact {
             double ey = c == 1 ? 1 : 0;
             double ez = c == 2 ? 1 : 0;
             Rotations.rotate(-qx, -qy, -qz, qw, ex, ey, ez, column);
-            double x = column[0];
-            double y = column[1];
-            double z = column[2];
-            double jx =
-                    s.inverseInertiaXX[body] * x
-                            + s.inverseInertiaXY[body] * y
-                            + s.inverseInertiaXZ[body] * z;
-            double jy =
-                    s.inverseInertiaXY[body] * x
-                            + s.inverseInertiaYY[body] * y
-                            + s.inverseInertiaYZ[body] * z;
-            double jz =
-                    s.inverseInertiaXZ[body] * x
-                            + s.inverseInertiaYZ[body] * y
-                            + s.inverseInertiaZZ[body] * z;
-            Rotations.rotate(qx, qy, qz, qw, jx, jy, jz, column);
+            Spin.inverseInertia(s, body, column[0], column[1], column[2], column);
+            Rotations.rotate(qx, qy, qz, qw, column[0], column[1], column[2], column);
             System.arraycopy(column, 0, inverse, 9 * side + 3 * c, 3);
         }
     }

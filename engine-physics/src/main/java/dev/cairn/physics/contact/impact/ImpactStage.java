@@ -21,7 +21,7 @@ import java.util.Arrays;
  */
 public final class ImpactStage {
     /** Impacts of a body in a tick; what follows is the solver's. */
-    private static final int MOST_BLOWS = 64;
+    private static final int MOST_IMPACTS = 64;
 
     /** The same of those that bounce. */
     private static final int MOST_BOUNCES = 256;
@@ -126,6 +126,16 @@ public final class ImpactStage {
      */
     public boolean isHeld(int row) {
         return bodies.isHeld(row);
+    }
+
+    /**
+     * Whether what moves of a row are balls, which touch in one point.
+     *
+     * @param row of a contact
+     * @return whether an impact of them is exact however slow they are
+     */
+    public boolean isRound(int row) {
+        return bodies.isRound(row);
     }
 
     /**
@@ -335,13 +345,14 @@ public final class ImpactStage {
         boolean isIdle =
                 !(closing > 0)
                         && ++bodies.idle[colliders.bodies.kind[a] == BodyStore.DYNAMIC ? a : b]
-                                > MOST_BLOWS;
+                                > MOST_IMPACTS;
         if (pair.stays()) {
             leave(first, second, row, time);
             return;
         }
-        int most = of.restitution[like] > 0 ? MOST_BOUNCES : MOST_BLOWS;
+        int most = of.restitution[like] > 0 ? MOST_BOUNCES : MOST_IMPACTS;
         if (isIdle || bodies.impacts[a] >= most || bodies.impacts[b] >= most) {
+            pair.place(first, second, time, step);
             stop(first, second, m, time);
             return;
         }

@@ -38,24 +38,26 @@ final class Spin {
         lz = v[2];
     }
 
+    /** J x, in body axes. */
+    static void inverseInertia(BodyStore s, int body, double x, double y, double z, double[] out) {
+        double xy = s.inverseInertiaXY[body];
+        double xz = s.inverseInertiaXZ[body];
+        double yz = s.inverseInertiaYZ[body];
+        out[0] = s.inverseInertiaXX[body] * x + xy * y + xz * z;
+        out[1] = xy * x + s.inverseInertiaYY[body] * y + yz * z;
+        out[2] = xz * x + yz * y + s.inverseInertiaZZ[body] * z;
+    }
+
     /** The velocity with that momentum at another orientation, or less, so that no energy comes. */
     void velocity(BodyStore s, int body, double qx, double qy, double qz, double qw) {
         Rotations.rotate(-qx, -qy, -qz, qw, lx, ly, lz, v);
         double p = v[0];
         double q = v[1];
         double r = v[2];
-        double a =
-                s.inverseInertiaXX[body] * p
-                        + s.inverseInertiaXY[body] * q
-                        + s.inverseInertiaXZ[body] * r;
-        double b =
-                s.inverseInertiaXY[body] * p
-                        + s.inverseInertiaYY[body] * q
-                        + s.inverseInertiaYZ[body] * r;
-        double c =
-                s.inverseInertiaXZ[body] * p
-                        + s.inverseInertiaYZ[body] * q
-                        + s.inverseInertiaZZ[body] * r;
+        inverseInertia(s, body, p, q, r, v);
+        double a = v[0];
+        double b = v[1];
+        double c = v[2];
         double now = a * p + b * q + c * r;
         double share = now > energy ? Math.sqrt(energy / now) : 1;
         Rotations.rotate(qx, qy, qz, qw, share * a, share * b, share * c, v);

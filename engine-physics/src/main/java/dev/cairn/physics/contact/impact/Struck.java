@@ -94,6 +94,15 @@ final class Struck {
         return isBound(contacts.bodyA[row]) || isBound(contacts.bodyB[row]);
     }
 
+    /** Whether what moves of a row are balls, which touch in one point. */
+    boolean isRound(int row) {
+        return isRoundOrStays(contacts.bodyA[row]) && isRoundOrStays(contacts.bodyB[row]);
+    }
+
+    private boolean isRoundOrStays(int body) {
+        return colliders.bodies.isBall[body] || colliders.bodies.kind[body] != BodyStore.DYNAMIC;
+    }
+
     /** Whether two bodies of a row may be struck. */
     boolean fits(int row) {
         ContactStore c = contacts;
