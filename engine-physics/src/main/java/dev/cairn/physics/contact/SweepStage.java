@@ -342,10 +342,7 @@ public final class SweepStage {
                 state[i] = TOUCHING;
                 meets[c.bodyA[row]] = true;
                 meets[c.bodyB[row]] = true;
-                if (isVeryFast(stage, row)
-                        && stage.fits(row)
-                        && !stage.isHeld(row)
-                        && pair.meet(row, step)) {
+                if (isVeryFast(stage, row) && stage.fits(row) && pair.meet(row, step)) {
                     when[i] = pair.time();
                 }
                 continue;

@@ -112,20 +112,10 @@ public final class ImpactStage {
      * Whether two bodies of a row may be struck here.
      *
      * @param row of a contact
-     * @return whether both are convex, of one shape and bound by contacts only, and one is free
+     * @return whether both are convex, of one shape and bound by nothing, and nobody holds them
      */
     public boolean fits(int row) {
-        return bodies.fits(row);
-    }
-
-    /**
-     * Whether a body of a row touches others, who hold it while it is struck.
-     *
-     * @param row of a contact
-     * @return whether they are the solver's
-     */
-    public boolean isHeld(int row) {
-        return bodies.isHeld(row);
+        return bodies.fits(row) && !bodies.isHeld(row);
     }
 
     /**
