@@ -170,7 +170,7 @@ public final class PhysicsWorldBuilder {
     /**
      * Brings the engine's code to speed for worlds like this, for those who would rather wait at a
      * loading screen than have slower first seconds: steps a small world of its own, and then has
-     * the vector kernels compiled. Takes some ten seconds of one core, once in a process; later
+     * the vector kernels compiled. Takes some five seconds of one core, once in a process; later
      * calls take a tenth of that. What worlds compute does not depend on it. Any thread; allocates.
      *
      * @param progress told the share that is done, ascending from 0 to 1, in the caller's thread

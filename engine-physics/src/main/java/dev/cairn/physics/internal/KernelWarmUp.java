@@ -15,8 +15,8 @@ import java.util.concurrent.locks.ReentrantLock;
  * are ready; both give the same bits, so it does not matter to the result when the change comes.
  * Three rules keep the start cheap: the kernels of a scene are asked for only after it has wanted
  * them for a while, so that its scalar code is compiled first; one group of kernels at a time; and
- * a thread that rests four times as long as it works, at most a fifth of one core. While it rests
- * the compiler works: rounds in between would be slow for nothing.
+ * a thread that rests three times as long as it works, at most a quarter of one core. While it
+ * rests the compiler works: rounds in between would be slow for nothing.
  */
 public abstract class KernelWarmUp {
     /** Ticks in which kernels must have been wanted: until then scalar code is being compiled. */
@@ -26,7 +26,7 @@ public abstract class KernelWarmUp {
     private static final long SLICE_NANOS = 2_000_000;
 
     /** Rest over work. */
-    private static final int REST = 4;
+    private static final int REST = 3;
 
     /**
      * So many more fast rounds than {@link #PENALTY} times the slow ones there must have been. Who

@@ -2,7 +2,7 @@ package dev.cairn.physics.narrowphase.wide;
 
 import dev.cairn.physics.internal.KernelWarmUp;
 
-import java.util.Random;
+import java.util.SplittableRandom;
 
 /** Warms up the wide kernels of boxes. */
 public final class BoxWarmUp extends KernelWarmUp {
@@ -12,13 +12,13 @@ public final class BoxWarmUp extends KernelWarmUp {
     private static final int SLOW = 4;
 
     private final BoxBatch batch = new BoxBatch();
-    private final Random random = new Random(1);
+    private final SplittableRandom random = new SplittableRandom(1);
     private long scalar = Long.MAX_VALUE;
     private long axes = Long.MAX_VALUE;
     private long faces = Long.MAX_VALUE;
 
     private BoxWarmUp() {
-        super("cairn-warm-up-boxes", 12_000, 100_000);
+        super("cairn-warm-up-boxes", 6_000, 100_000);
     }
 
     /**
@@ -73,7 +73,7 @@ public final class BoxWarmUp extends KernelWarmUp {
     }
 
     /** Pairs of unlike boxes in any pose. */
-    private static void fill(double[] t, Random random) {
+    private static void fill(double[] t, SplittableRandom random) {
         for (int i = 0; i < BoxBatch.CAPACITY; i++) {
             turn(t, BoxBatch.TURN_A + i, random);
             turn(t, BoxBatch.TURN_B + i, random);
@@ -87,7 +87,7 @@ public final class BoxWarmUp extends KernelWarmUp {
     }
 
     /** Boxes on boxes that stand straight, as most of a scene do: inside, or across one side. */
-    private static void stack(double[] t, Random random, boolean isInside) {
+    private static void stack(double[] t, SplittableRandom random, boolean isInside) {
         for (int i = 0; i < BoxBatch.CAPACITY; i++) {
             for (int k = 0; k < 4; k++) {
                 int column = k * BoxBatch.CAPACITY + i;
@@ -105,7 +105,7 @@ public final class BoxWarmUp extends KernelWarmUp {
     }
 
     /** A random orientation, in columns of a batch's length. */
-    static void turn(double[] t, int at, Random random) {
+    static void turn(double[] t, int at, SplittableRandom random) {
         double x = random.nextDouble() - 0.5;
         double y = random.nextDouble() - 0.5;
         double z = random.nextDouble() - 0.5;

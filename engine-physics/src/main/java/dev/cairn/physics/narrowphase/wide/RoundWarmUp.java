@@ -2,7 +2,7 @@ package dev.cairn.physics.narrowphase.wide;
 
 import dev.cairn.physics.internal.KernelWarmUp;
 
-import java.util.Random;
+import java.util.SplittableRandom;
 
 /** Warms up the wide kernels of balls and capsules. */
 public final class RoundWarmUp extends KernelWarmUp {
@@ -15,11 +15,11 @@ public final class RoundWarmUp extends KernelWarmUp {
     private static final long COMPILED_NANOS = 100_000;
 
     private final RoundBatch pairs = new RoundBatch();
-    private final Random random = new Random(1);
+    private final SplittableRandom random = new SplittableRandom(1);
     private long best = Long.MAX_VALUE;
 
     private RoundWarmUp() {
-        super("cairn-warm-up-round", 12_000, 100_000);
+        super("cairn-warm-up-round", 6_000, 100_000);
     }
 
     /**

@@ -14,7 +14,7 @@ import dev.cairn.physics.tuning.Tuning;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.Arrays;
-import java.util.Random;
+import java.util.SplittableRandom;
 
 /**
  * The wide sweeps, once the compiler is done with them; the scalar ones before that. They are
@@ -119,12 +119,12 @@ public final class WideSweeps implements Sweeps {
         private final SolverBodies bodies = new SolverBodies();
         private final Scratch scratch = new Scratch();
         private final SubStep sub = new SubStep();
-        private final Random random = new Random(1);
+        private final SplittableRandom random = new SplittableRandom(1);
         private long bestWide = Long.MAX_VALUE;
         private long bestScalar = Long.MAX_VALUE;
 
         WarmUp() {
-            super("cairn-warm-up", 12_000, 20_000);
+            super("cairn-warm-up", 6_000, 20_000);
         }
 
         @Override
@@ -181,7 +181,11 @@ public final class WideSweeps implements Sweeps {
      * heap.
      */
     private static void fill(
-            ConstraintRows rows, SolverBodies bodies, ContactStore c, Random random, int round) {
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore c,
+            SplittableRandom random,
+            int round) {
         int n = ConstraintRows.CHUNK;
         rows.ensurePlaces(n);
         rows.places = n;
@@ -237,7 +241,7 @@ public final class WideSweeps implements Sweeps {
         bodies.state[b + 2] = c.normalZ(j);
     }
 
-    private static void random(Random random, double[] column, double size) {
+    private static void random(SplittableRandom random, double[] column, double size) {
         for (int i = 0; i < column.length; i++) {
             column[i] = size * (random.nextDouble() - 0.3);
         }
