@@ -167,7 +167,7 @@ final class WorldCheckTest {
     @Test
     void twoRowsOfAPair() {
         stack(3);
-        contacts.move(1, 0, 1);
+        contacts.move(new int[] {1}, new int[] {0}, 1);
         tells("contact row 1", "the only one of a pair");
     }
 

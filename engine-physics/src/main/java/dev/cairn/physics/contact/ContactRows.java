@@ -12,8 +12,8 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
 
 /**
- * Which pairs have a row. Rows whose fat boxes parted leave by a stable compaction; new pairs
- * follow at the end.
+ * Which pairs have a row. Rows whose fat boxes parted leave, and the last rows take their places,
+ * so that a tick moves no more rows than left; new pairs follow at the end.
  *
  * <p>Simulation thread; allocates only when the number of rows grows.
  */
@@ -23,6 +23,11 @@ public final class ContactRows {
     private final BlockJob markJob = this::markBlock;
     private boolean[] parted = {};
     private int[] partedInBlock = {};
+
+    /** Places of rows that leave; rows that take them, and whether these are active. */
+    private int[] hole = {}, source = {};
+
+    private boolean[] sourceIsActive = {};
 
     private BroadPhase broadPhase = new BroadPhase();
     private ContactStore contacts = new ContactStore();
@@ -100,6 +105,9 @@ public final class ContactRows {
         if (parted.length < contacts.count) {
             parted = new boolean[contacts.bodyA.length];
             partedInBlock = new int[Blocks.count(parted.length, ROWS_PER_BLOCK)];
+            hole = new int[parted.length];
+            source = new int[parted.length];
+            sourceIsActive = new boolean[parted.length];
         }
         candidates = all ? contacts.count : contacts.activeCount;
         every = all;
@@ -108,34 +116,26 @@ public final class ContactRows {
         if (broadPhase.isRefiltered()) {
             markRefused();
         }
-        int block = 0;
-        while (block < blocks && partedInBlock[block] == 0) {
-            block++;
+        int holes = 0;
+        for (int block = 0; block < blocks; block++) {
+            holes += partedInBlock[block];
         }
-        if (block == blocks) {
-            return;
+        if (holes > 0) {
+            end(events);
+            fill(holes);
         }
+    }
+
+    /** Tells who ends, in the order of the candidates, and lists their places, ascending. */
+    private void end(TouchEvents events) {
         ContactStore c = contacts;
-        int at = Blocks.begin(block, ROWS_PER_BLOCK);
-        int kept = all ? at : c.active[at];
-        // The list of active rows is wrong after a full drop; update() makes it anew.
-        int listed = all ? 0 : at;
-        int end = all ? 0 : c.activeCount;
-        int read = listed;
-        int first = kept;
-        for (int row = kept; row < c.count; row++) {
-            boolean active = read < end && c.active[read] == row;
-            read += active ? 1 : 0;
+        int n = 0;
+        for (int i = 0; i < candidates; i++) {
+            int row = every ? i : c.active[i];
             if (!parted[row]) {
-                if (active) {
-                    c.active[listed++] = kept + row - first;
-                }
                 continue;
             }
-            c.move(first, kept, row - first);
-            kept += row - first;
-            first = row + 1;
-            parted[row] = false;
+            hole[n++] = row;
             boolean touches = c.touching[row] != 0;
             if (c.grouped && c.group[row] != 0) {
                 // its pair ends with the first row, and is told once
@@ -152,9 +152,41 @@ public final class ContactRows {
                 sleepers.wake(c.bodyB[row]);
             }
         }
-        c.move(first, kept, c.count - first);
-        c.count = kept + c.count - first;
-        c.activeCount = listed;
+    }
+
+    /** Moves the last rows into the holes before them; the list of active rows stays ascending. */
+    private void fill(int holes) {
+        ContactStore c = contacts;
+        int kept = c.count - holes;
+        int listed = c.activeCount;
+        while (!every && listed > 0 && c.active[listed - 1] >= kept) {
+            listed--;
+        }
+        int moved = 0;
+        int read = listed;
+        for (int row = kept; row < c.count; row++) {
+            boolean active = !every && read < c.activeCount && c.active[read] == row;
+            read += active ? 1 : 0;
+            if (!parted[row]) {
+                source[moved] = row;
+                sourceIsActive[moved++] = active;
+            }
+        }
+        c.move(source, hole, moved);
+        // The list is wrong after all rows were looked at; update() makes it anew.
+        int at = 0;
+        int next = 0;
+        for (int i = 0; i < (every ? 0 : listed); i++) {
+            int row = c.active[i];
+            if (!parted[row] || sourceIsActive[next++]) {
+                c.active[at++] = row;
+            }
+        }
+        c.activeCount = at;
+        c.count = kept;
+        for (int i = 0; i < holes; i++) {
+            parted[hole[i]] = false;
+        }
     }
 
     /** Marks rows whose boxes parted; leaves no mark elsewhere. */

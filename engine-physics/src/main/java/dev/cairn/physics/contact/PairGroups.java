@@ -114,19 +114,23 @@ final class PairGroups {
         changes = 0;
     }
 
-    /** Lists the rows of each group among the active ones, ascending. */
+    /** Lists the rows of each group among the active ones: the first, then the others ascending. */
     void chain(ContactStore c) {
         if (next.length < c.bodyA.length) {
             next = new int[c.bodyA.length];
         }
         for (int i = 0; i < c.activeCount; i++) {
             int row = c.active[i];
-            int group = c.group[row];
-            if (group < 0) {
-                next[lastRow[-group]] = row;
+            if (c.group[row] > 0) {
+                next[row] = -1;
+                lastRow[c.group[row]] = row;
             }
-            next[row] = -1;
-            lastRow[Math.abs(group)] = row;
+        }
+        for (int i = 0; i < c.activeCount; i++) {
+            int row = c.active[i];
+            if (c.group[row] < 0) {
+                append(c, -c.group[row], row);
+            }
         }
     }
 

@@ -14,9 +14,9 @@
  *   touch  ─▶ after the solve: began and ended, in row order       ({@link dev.cairn.physics.contact.TouchEvents})
  * </pre>
  *
- * <p>Invariants: row order is a function of history: removal is a stable compaction, additions come
- * last. Each ended event had a began event before, and each began event is followed by an ended
- * one, the removal of a body included.
+ * <p>Invariants: row order is a function of history: the last rows take the places of those that
+ * leave, additions come last. Each ended event had a began event before, and each began event is
+ * followed by an ended one, the removal of a body included.
  *
  * <p>How near is near? No absolute slop. A pair is looked at up to a margin of {@code
  * speculativeTime} ticks of relative motion (velocities with this tick's gravity and forces, and

@@ -141,24 +141,26 @@ public interface Columns {
         }
     }
 
-    /** Moves rows that follow one another to lower places; they may overlap. Reused. */
+    /** Moves single rows to places of rows that are not needed. Reused. */
     final class Move implements Columns {
-        private int from;
-        private int to;
+        private int[] from = {};
+        private int[] to = {};
         private int count;
 
-        /** Chooses the rows. */
-        Move rows(int first, int target, int number) {
-            from = first;
-            to = target;
+        /** Chooses the rows; the arrays are read until the columns are moved. */
+        Move rows(int[] sources, int[] targets, int number) {
+            from = sources;
+            to = targets;
             count = number;
             return this;
         }
 
         @Override
         public <A> A column(String name, A array, int start, int stride) {
-            System.arraycopy(
-                    array, start + stride * from, array, start + stride * to, stride * count);
+            for (int i = 0; i < count; i++) {
+                System.arraycopy(
+                        array, start + stride * from[i], array, start + stride * to[i], stride);
+            }
             return array;
         }
 

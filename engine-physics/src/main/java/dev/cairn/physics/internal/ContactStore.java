@@ -350,16 +350,15 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     }
 
     /**
-     * Moves rows that follow one another to lower places.
+     * Moves rows to the places of others that are not needed.
      *
-     * @param to where it shall be, at most {@code from}
+     * @param to as many places; none of them is in {@code from}
      */
-    public void move(int from, int to, int number) {
-        if (from != to && number > 0) {
-            int a = colliderA[from];
-            int b = bodyB[from];
+    public void move(int[] from, int[] to, int number) {
+        if (number > 0) {
             columns(move.rows(from, to, number));
-            assert colliderA[to] == a && bodyB[to] == b : "columns of row " + from + " stayed";
+            assert colliderA[to[0]] == colliderA[from[0]] && bodyB[to[0]] == bodyB[from[0]]
+                    : "columns of row " + from[0] + " stayed";
         }
     }
 

@@ -48,11 +48,19 @@ final class ColumnsTest {
     @Test
     void aMovedRowIsTheRowInEveryColumn() {
         ContactStore contacts = contacts();
-        Map<String, List<Object>> low = rowsOf(contacts::columns, 0, 3);
-        Map<String, List<Object>> moved = rowsOf(contacts::columns, 9, ROWS);
-        contacts.move(9, 3, ROWS - 9);
-        assertRows(low, rowsOf(contacts::columns, 0, 3));
-        assertRows(moved, rowsOf(contacts::columns, 3, ROWS - 6));
+        int[] from = {9, 11, 10};
+        int[] to = {3, 1, 7};
+        List<Map<String, List<Object>>> before = new ArrayList<>();
+        for (int row = 0; row < ROWS; row++) {
+            before.add(rowsOf(contacts::columns, row, row + 1));
+        }
+        contacts.move(from, to, to.length);
+        for (int i = 0; i < to.length; i++) {
+            before.set(to[i], before.get(from[i]));
+        }
+        for (int row = 0; row < ROWS; row++) {
+            assertRows(before.get(row), rowsOf(contacts::columns, row, row + 1));
+        }
     }
 
     @Test
