@@ -258,7 +258,7 @@ public final class Batches {
         }
         domains.count = 0;
         if (cuts) {
-            domains.cut(list, islands, batchOf, tally, CUT, isSingle, bound, boundCount);
+            domains.cut(list, islands, batchOf, tally, CUT, bound, boundCount);
         }
     }
 

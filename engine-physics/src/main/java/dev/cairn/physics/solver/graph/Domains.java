@@ -14,20 +14,20 @@ import dev.cairn.physics.solver.row.EdgeList;
  * of all in a wall, some quarter in a heap, are still swept in lockstep.
  *
  * <p>A domain grows from the smallest slot of the island that has none, neighbours first, until it
- * has {@link #WANTED} rows, or twice as many of floats; what is left over between domains is put
- * together. So the cut is a function of the island's contacts and the order of its slots alone,
- * neither of workers nor of other islands, as it must be: the order of solving follows from it.
- * Simulation thread; allocates only when a store has grown.
+ * has {@link #WANTED} rows; what is left over between domains is put together. So the cut is a
+ * function of the island's contacts and the order of its slots alone, neither of workers nor of
+ * other islands, as it must be: the order of solving follows from it. Simulation thread; allocates
+ * only when a store has grown.
  *
  * <p>Source: the greedy growing of graph partitions, e.g. C. Farhat, "A simple and efficient
  * automatic FEM domain decomposer" (1988).
  */
 public final class Domains {
-    /** Rows to a domain: some 700 bytes each in a cache of 512 KiB, beside their bodies. */
+    /**
+     * Rows to a domain: some 700 bytes each in a cache of 512 KiB, beside their bodies; those of
+     * floats are half as long, but twice as many in a domain would leave workers of heaps idle.
+     */
     public static final int WANTED = 384;
-
-    /** The same for rows of floats, which are half as long. */
-    static final int WANTED_FLOATS = 768;
 
     /** Number of domains. */
     int count;
@@ -77,7 +77,6 @@ public final class Domains {
      * @param islands of the rows
      * @param root by row: the smallest slot of its island
      * @param tally by that slot: {@code large} if the island is to be cut
-     * @param isSingle by slot: whether the rows of its island are floats
      * @param bound bodies with edges, ascending
      */
     void cut(
@@ -86,10 +85,9 @@ public final class Domains {
             int[] root,
             int[] tally,
             int large,
-            boolean[] isSingle,
             int[] bound,
             int boundCount) {
-        ensureCapacity(isSingle.length, list.source.length);
+        ensureCapacity(tally.length, list.source.length);
         count = 0;
         for (int k = 0; k < boundCount; k++) {
             int i = bound[k];
@@ -103,7 +101,7 @@ public final class Domains {
             int i = bound[k];
             int r = islands.root(i);
             if (tally[r] == large && of[i] < 0) {
-                grow(i, r, isSingle[r] ? WANTED_FLOATS : WANTED);
+                grow(i, r);
             }
         }
     }
@@ -139,7 +137,7 @@ public final class Domains {
     }
 
     /** Grows a domain from a body on, breadth first. */
-    private void grow(int from, int root, int wanted) {
+    private void grow(int from, int root) {
         int d = open[root];
         if (d < 0) {
             d = count++;
@@ -165,7 +163,7 @@ public final class Domains {
                 }
             }
             size[d] += n;
-            if (size[d] >= wanted) {
+            if (size[d] >= WANTED) {
                 open[root] = -1;
                 return;
             }
