@@ -17,6 +17,8 @@ import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 
+import java.util.Locale;
+
 /** What {@link BodyRef} reads and writes, by slot; the slot is alive. */
 final class BodyAccess {
     /** Targets of a tick: speeds on the way stay far below what the step computes with. */
@@ -294,6 +296,21 @@ final class BodyAccess {
                             + what
                             + " is 0; make it with Body.dynamic() or Body.kinematic() if it shall"
                             + " move");
+        }
+    }
+
+    /** What pushes a wall in vain is a mistake: of another body, or of its type. */
+    void needsDynamic(int s, String call) {
+        if (type(s) != BodyType.DYNAMIC) {
+            throw new IllegalStateException(
+                    table.refs[s]
+                            + " is "
+                            + type(s).name().toLowerCase(Locale.ROOT)
+                            + ", and "
+                            + call
+                            + " moves dynamic bodies only; ask type() first where any body may"
+                            + " come, set a velocity to move a kinematic one, or make it with"
+                            + " Body.dynamic()");
         }
     }
 

@@ -51,32 +51,38 @@ public final class BodyRef extends BodyState implements Pushed {
 
     @Override
     public void applyForce(double fx, double fy, double fz) {
-        table.pushes.applyForce(changed("applyForce"), fx, fy, fz);
+        table.pushes.applyForce(pushed("applyForce"), fx, fy, fz);
     }
 
     @Override
     public void applyForceAt(double fx, double fy, double fz, double px, double py, double pz) {
-        table.pushes.applyForceAt(changed("applyForceAt"), fx, fy, fz, px, py, pz);
+        table.pushes.applyForceAt(pushed("applyForceAt"), fx, fy, fz, px, py, pz);
     }
 
     @Override
     public void applyTorque(double tx, double ty, double tz) {
-        table.pushes.applyTorque(changed("applyTorque"), tx, ty, tz);
+        table.pushes.applyTorque(pushed("applyTorque"), tx, ty, tz);
     }
 
     @Override
     public void applyImpulse(double jx, double jy, double jz) {
-        table.pushes.applyImpulse(changed("applyImpulse"), jx, jy, jz);
+        table.pushes.applyImpulse(pushed("applyImpulse"), jx, jy, jz);
     }
 
     @Override
     public void applyImpulseAt(double jx, double jy, double jz, double px, double py, double pz) {
-        table.pushes.applyImpulseAt(changed("applyImpulseAt"), jx, jy, jz, px, py, pz);
+        table.pushes.applyImpulseAt(pushed("applyImpulseAt"), jx, jy, jz, px, py, pz);
     }
 
     @Override
     public void applyAngularImpulse(double lx, double ly, double lz) {
-        table.pushes.applyAngularImpulse(changed("applyAngularImpulse"), lx, ly, lz);
+        table.pushes.applyAngularImpulse(pushed("applyAngularImpulse"), lx, ly, lz);
+    }
+
+    private int pushed(String call) {
+        int s = changed(call);
+        table.access.needsDynamic(s, call);
+        return s;
     }
 
     /**

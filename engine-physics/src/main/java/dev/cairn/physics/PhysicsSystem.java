@@ -194,7 +194,8 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         wholes.choose(hooks.get() != null);
         belts.run(tick.jobs());
         table.registry.refreshLists();
-        if (table.registry.dynamicCount > 0) {
+        boolean solves = table.registry.dynamicCount > 0;
+        if (solves) {
             sweeps.strike(
                     table.broadPhase,
                     settings.tuning().get(Tunable.RESTITUTION_THRESHOLD),
@@ -212,17 +213,19 @@ final class PhysicsSystem implements WorldSystem, Stateful {
             patches.part(tick.jobs());
             seams.part(tick.jobs());
             wholes.part(tick.jobs());
+        } else {
+            wholes.see();
+        }
+        table.registry.motion.end(
+                table.registry.kinematic, table.registry.kinematicCount, tick.stepSeconds());
+        if (solves) {
             sweeps.finish(
                     table.registry.dynamic,
                     table.registry.dynamicCount,
                     table.broadPhase,
                     hooks.get() != null,
                     tick.jobs());
-        } else {
-            wholes.see();
         }
-        table.registry.motion.end(
-                table.registry.kinematic, table.registry.kinematicCount, tick.stepSeconds());
         profile.end(StepStage.SOLVE);
         if (jointList != null) {
             jointList.afterStep();

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 
+import java.util.List;
 import java.util.function.DoubleConsumer;
 
 /** A bad call is refused by a message that names value, bound or remedy; and it changes nothing. */
@@ -171,16 +172,30 @@ class BadInputTest {
     }
 
     @Test
-    void aFixedBodyHasNoVelocityToSetAndNoForceMovesIt() {
+    void aFixedBodyHasNoVelocityToSetAndWhatPushesItIsTold() {
         BodyRef wall =
                 world.add(
                         Body.fixed().shape(Box.cubeOfHalfExtent(1)).at(50, 0, 0).velocity(1, 1, 1));
         refuses(IllegalStateException.class, () -> wall.setVelocity(1, 0, 0), "fixed");
         refuses(IllegalStateException.class, () -> wall.setAngularVelocity(1, 0, 0), "fixed");
-        wall.applyForceAt(1, 2, 3, 4, 5, 6);
-        wall.applyImpulseAt(1, 2, 3, 4, 5, 6);
-        wall.applyTorque(1, 2, 3);
+        BodyRef lift = world.add(Body.kinematic().shape(Box.cubeOfHalfExtent(1)).at(60, 0, 0));
+        for (BodyRef body : List.of(wall, lift)) {
+            String type = body == wall ? "fixed" : "kinematic";
+            refuses(IllegalStateException.class, () -> body.applyForce(1, 2, 3), type);
+            refuses(
+                    IllegalStateException.class,
+                    () -> body.applyForceAt(1, 2, 3, 4, 5, 6),
+                    "applyForceAt moves dynamic bodies only");
+            refuses(IllegalStateException.class, () -> body.applyTorque(1, 2, 3), type);
+            refuses(IllegalStateException.class, () -> body.applyImpulse(1, 2, 3), type);
+            refuses(
+                    IllegalStateException.class,
+                    () -> body.applyImpulseAt(1, 2, 3, 4, 5, 6),
+                    "type()");
+            refuses(IllegalStateException.class, () -> body.applyAngularImpulse(1, 2, 3), type);
+        }
         world.step(1.0 / 60);
+        assertEquals(new Vector3d(60, 0, 0), lift.position());
         assertEquals(new Vector3d(50, 0, 0), wall.position());
         assertEquals(new Vector3d(), wall.velocity());
         assertEquals(Double.POSITIVE_INFINITY, wall.mass());

@@ -8,8 +8,8 @@ import org.joml.Vector3dc;
  * What pushes and turns a body, as three doubles or as vectors of JOML's; all in world axes.
  *
  * <p>Forces and torques add up and act over the whole next step, then are cleared; impulses act at
- * once. On bodies that nothing moves they have no effect. Simulation thread, between steps. Does
- * not allocate.
+ * once. On a body that is fixed or kinematic, which none of them moves, they throw {@link
+ * IllegalStateException}. Simulation thread, between steps. Does not allocate.
  */
 public interface Pushed {
     /**

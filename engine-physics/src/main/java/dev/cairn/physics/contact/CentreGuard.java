@@ -135,6 +135,7 @@ final class CentreGuard {
             return;
         }
         tie();
+        composeDriven();
         jobs.run(rowsJob, rowBlocks);
         for (int b = 0; b < rowBlocks; b++) {
             if (rowCount[b] > 0) {
@@ -147,6 +148,15 @@ final class CentreGuard {
         for (int b = 0; b < bodyBlocks; b++) {
             if (fastCount[b] > 0) {
                 guardStruck(b, broadPhase);
+            }
+        }
+    }
+
+    /** Kinematic bodies have moved already, and so have their parts. */
+    private void composeDriven() {
+        for (int i = 0; i < colliders.compoundCount; i++) {
+            if (colliders.bodies.isMoved(colliders.compound[i])) {
+                colliders.compose(colliders.compound[i], scratch[0]);
             }
         }
     }
@@ -392,7 +402,7 @@ final class CentreGuard {
     private void keepOut(int part, int other) {
         Poses p = colliders.poses;
         // who was struck is looked at from there on
-        double share = isDriven(colliders.body[other]) ? 1 - late(part) : 0;
+        double share = colliders.bodies.isMoved(colliders.body[other]) ? 1 - late(part) : 0;
         double wayX = share * wayX(other) - wayX(part);
         double wayY = share * wayY(other) - wayY(part);
         double wayZ = share * wayZ(other) - wayZ(part);
@@ -451,18 +461,6 @@ final class CentreGuard {
                 -hit.normalX(),
                 -hit.normalY(),
                 -hit.normalZ());
-    }
-
-    /** Whether a body that does not answer moves by itself. */
-    private boolean isDriven(int body) {
-        BodyStore s = colliders.bodies;
-        return s.kind[body] == BodyStore.KINEMATIC
-                && (s.velocityX[body] != 0
-                        || s.velocityY[body] != 0
-                        || s.velocityZ[body] != 0
-                        || s.angularVelocityX[body] != 0
-                        || s.angularVelocityY[body] != 0
-                        || s.angularVelocityZ[body] != 0);
     }
 
     /**

@@ -168,7 +168,7 @@ final class Passes {
             if (rows.isSingle && index == 0) {
                 body.addWarm(i);
             }
-            if (body.guide[i] >= 0) {
+            if (isGuided(i)) {
                 bench.single.begin(tick, rows, sub, refresh, gain, i);
             }
             Motion.kick(tick.bodies, body, i, g[0], g[1], g[2], sub.seconds);
@@ -415,12 +415,17 @@ final class Passes {
         for (int k = from; k < to; k++) {
             int i = tick.order[k];
             add(i);
-            if (body.guide[i] < 0) {
+            if (!isGuided(i)) {
                 Motion.keep(tick.bodies, body, i);
             } else {
                 bench.single.end(tick, rows, sub, refresh, gain, i, bench.scratch);
             }
         }
+    }
+
+    /** In the tick in which what it rides on stops, a body has its speed, and does not slide. */
+    private boolean isGuided(int slot) {
+        return body.guide[slot] >= 0 && !riders.has(slot);
     }
 
     /** Whether a body turns in this tick, or may. */

@@ -56,16 +56,12 @@ final class Supports {
     /**
      * Finds them for a tick whose rows are listed.
      *
-     * @param stacked whether any two dynamic bodies touch
+     * @param bears whether a dynamic body touches another one, or a kinematic one
      * @param softSeconds length of the sub-step by which contacts are soft
      * @param benches get their room for direct solves
      */
     void find(
-            SolverContext tick,
-            boolean stacked,
-            double softSeconds,
-            Workbench[] benches,
-            Jobs jobs) {
+            SolverContext tick, boolean bears, double softSeconds, Workbench[] benches, Jobs jobs) {
         settles =
                 tick.settings.count(Tunable.UNLOAD_SWEEPS) > 0
                         && unloading.find(
@@ -76,7 +72,7 @@ final class Supports {
                                 tick.weight(),
                                 collector.isSame());
         // what rides is put in balance, and keeps its place, also where nothing is on it
-        boolean weighs = stacked || collector.sides.count() > 0;
+        boolean weighs = bears || collector.sides.count() > 0;
         findStart(tick, weighs);
         settles |= start.found;
         findRiders(tick);

@@ -38,6 +38,9 @@ public final class KinematicMotion {
     /** Where in it the velocity at the end is. */
     private static final int END = 12;
 
+    /** Of what gravity adds in a tick: by so much may a line miss the next mean, to be trusted. */
+    private static final double TRUST = 1.0 / 16;
+
     /** Change of a velocity over what gravity makes of it in a tick that is rounding. */
     private static final double SAME = 1e-10;
 
@@ -45,6 +48,9 @@ public final class KinematicMotion {
 
     /** Lengths of the last tick and of the one before, s. */
     private double last, beforeLast;
+
+    /** Length of this tick over that of the last. */
+    private double grown;
 
     /** By slot: whether the body moved in the last tick. */
     private boolean[] moved = {};
@@ -244,6 +250,7 @@ public final class KinematicMotion {
         double ofLast = last > 0 ? last : stepSeconds;
         double first = 2 * stepSeconds / (stepSeconds + ofLast);
         double second = beforeLast > 0 ? 2 * stepSeconds / (last + beforeLast) : 0;
+        grown = stepSeconds / ofLast;
         boolean stood = past[p] == 0 && past[p + 1] == 0 && past[p + 2] == 0;
         double gentle = state[slot] == AIMED ? soft : 0;
         double x = slope(p, b.velocityX[slot], first, second, stood, gentle);
@@ -298,6 +305,15 @@ public final class KinematicMotion {
         return Math.max(now, then) > SAME * soft;
     }
 
+    /**
+     * Whether the line of the last tick fits the means of the last two: then the end of it is where
+     * this tick goes on from, also where the slope is another one from now on.
+     */
+    private boolean fits(int p, double between, double gentle) {
+        double line = 2 * (past[p + END] - past[p]) * grown;
+        return Math.abs(line - between) <= TRUST * gentle;
+    }
+
     /** Slope by tick of one component. */
     private double slope(
             int p, double now, double first, double second, boolean stood, double gentle) {
@@ -307,8 +323,12 @@ public final class KinematicMotion {
         if (stood && gentle > 0) {
             return 2 * Math.abs(now) <= gentle ? 2 * now : 0;
         }
+        double line = 2 * (now - past[p + END]);
+        if (Math.abs(line) <= gentle && fits(p, c, gentle)) {
+            return line;
+        }
         if (Math.abs(a) <= gentle) {
-            c = 2 * (now - past[p + END]);
+            c = line;
         }
         if (!(a * c > 0)) {
             return 0;

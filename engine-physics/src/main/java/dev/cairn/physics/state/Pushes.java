@@ -6,9 +6,9 @@ import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.Sleepers;
 
 /**
- * Forces, torques and impulses that users give bodies, by slot; the slot is alive. Forces and
- * torques are summed until the next step, impulses act at once: {@code v += j/m, w += I⁻¹ l}. What
- * is fixed or kinematic takes none. Simulation thread, between steps; makes no garbage.
+ * Forces, torques and impulses that users give bodies, by slot; the slot is that of a dynamic body.
+ * Forces and torques are summed until the next step, impulses act at once: {@code v += j/m, w +=
+ * I⁻¹ l}. Simulation thread, between steps; makes no garbage.
  */
 public final class Pushes {
     private final BodyStore bodies;
@@ -19,10 +19,6 @@ public final class Pushes {
     public Pushes(BodyRegistry registry) {
         bodies = registry.bodies;
         sleepers = registry.sleepers;
-    }
-
-    private boolean isUnmoved(int s) {
-        return bodies.kind[s] == BodyStore.STATIC || bodies.kind[s] == BodyStore.KINEMATIC;
     }
 
     /** What changes nothing wakes nobody. */
@@ -37,9 +33,6 @@ public final class Pushes {
         Checks.finite("fx", fx);
         Checks.finite("fy", fy);
         Checks.finite("fz", fz);
-        if (isUnmoved(s)) {
-            return;
-        }
         wakeUnlessZero(s, fx, fy, fz);
         bodies.forceX[s] += fx;
         bodies.forceY[s] += fy;
@@ -53,9 +46,6 @@ public final class Pushes {
         Checks.finite("py", py);
         Checks.finite("pz", pz);
         applyForce(s, fx, fy, fz);
-        if (isUnmoved(s)) {
-            return;
-        }
         double rx = px - bodies.positionX[s];
         double ry = py - bodies.positionY[s];
         double rz = pz - bodies.positionZ[s];
@@ -69,9 +59,6 @@ public final class Pushes {
         Checks.finite("tx", tx);
         Checks.finite("ty", ty);
         Checks.finite("tz", tz);
-        if (isUnmoved(s)) {
-            return;
-        }
         wakeUnlessZero(s, tx, ty, tz);
         bodies.torqueX[s] += tx;
         bodies.torqueY[s] += ty;
@@ -112,9 +99,6 @@ public final class Pushes {
 
     /** w += R I⁻¹ Rᵀ l. */
     private void turn(int s, double lx, double ly, double lz) {
-        if (isUnmoved(s)) {
-            return;
-        }
         wakeUnlessZero(s, lx, ly, lz);
         double qx = bodies.orientationX[s];
         double qy = bodies.orientationY[s];

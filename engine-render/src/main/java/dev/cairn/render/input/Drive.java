@@ -4,6 +4,7 @@ import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.body.BodyType;
 
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;
@@ -46,8 +47,8 @@ public final class Drive {
     }
 
     /**
-     * Pushes a body, or moves the pose of an entity without one; nothing happens to fixed bodies
-     * and to what is nowhere.
+     * Pushes a body, or moves the pose of an entity without one; nothing happens to fixed and
+     * kinematic bodies and to what is nowhere.
      *
      * @param entity alive
      * @param effect what is done
@@ -62,7 +63,7 @@ public final class Drive {
         BodyRef body = physics.bodyOf(entity);
         if (body == null) {
             move(entity, effect, seconds);
-        } else if (!body.isFixed()) {
+        } else if (body.type() == BodyType.DYNAMIC) {
             push(body, effect);
         }
     }

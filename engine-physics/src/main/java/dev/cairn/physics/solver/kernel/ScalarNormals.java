@@ -56,6 +56,22 @@ public final class ScalarNormals {
     }
 
     /**
+     * The same of a contact that is swept until it agrees: also what opened on the way may close.
+     */
+    public static void hardenAll(
+            double[] d, int o, int lanes, int points, SubStep sub, double[] st) {
+        double touch = /*(float)*/ sub.touch;
+        double closing = /*(float)*/ sub.closing;
+        for (int p = 0; p < points; p++) {
+            int q = o + (POINT + p * POINT_FIELDS) * lanes;
+            double s = d[q + SEPARATION * lanes];
+            double mass = d[q + MASS * lanes];
+            st[GAIN + p] = mass;
+            st[GOAL + p] = -(mass * (s > touch ? s * sub.inverse : closing));
+        }
+    }
+
+    /**
      * Sweeps over the points, after one common step of all.
      *
      * @param step {@link CommonStep#SOFT}, {@code HARD}, or {@code NONE}

@@ -31,6 +31,12 @@ public final class Riders extends StaticStart {
      */
     private static final int VISITS = 1 << 13;
 
+    /** A leap that did not help was too long, by so much; after one that did it may be longer. */
+    private static final double SHORTER = 0.25, LONGER = 2;
+
+    /** By smallest slot of an island: change of the sweep before the last leap. */
+    private double[] atLeap = {};
+
     /** By place of rows in doubles and in floats: whether the row is of an island that rides. */
     private boolean[] doubles = {}, floats = {};
 
@@ -121,6 +127,7 @@ public final class Riders extends StaticStart {
             int n = b.kind.length;
             rides = new boolean[n];
             most = new int[n];
+            atLeap = new double[n];
             ramp = new double[3 * n];
         }
         if (doubles.length < list.doubles.places) {
@@ -188,10 +195,26 @@ public final class Riders extends StaticStart {
                     taken[SolverBodies.slot(at)] = -1;
                     sweepsLeft[root] = most[root];
                     before[root] = 0;
+                    longest[root] = LONGEST;
+                    atLeap[root] = Double.POSITIVE_INFINITY;
                     largest[root] = 0;
                 }
             }
         }
+    }
+
+    /**
+     * Where contacts open, slip and close the error is not one that falls by a constant share, and
+     * leaps may lead astray again and again. One without a profit by the next is made shorter. A
+     * start from nothing, which is far, needs the long ones.
+     */
+    @Override
+    void beforeLeap(int root, double now) {
+        longest[root] =
+                now < atLeap[root]
+                        ? Math.min(LONGER * longest[root], LONGEST)
+                        : SHORTER * leapt[root];
+        atLeap[root] = now;
     }
 
     @Override

@@ -9,7 +9,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.kernel.RowArithmetic;
 import dev.cairn.physics.solver.kernel.ScalarFriction;
-import dev.cairn.physics.solver.kernel.ScalarSweep;
+import dev.cairn.physics.solver.kernel.ScalarNormals;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.Scratch;
 import dev.cairn.physics.solver.row.SubStep;
@@ -45,7 +45,7 @@ public final class StartSweep implements StartPass {
             again = false;
             for (int j = from; j < to; j++) {
                 if (islands.has(rows, j)) {
-                    again |= islands.goesOn(root(rows, body, islands, j));
+                    again |= islands.goesOn(root(rows, body, islands, j), sweep);
                 }
             }
             if (again && StaticStart.isLookedAt(sweep)) {
@@ -213,19 +213,36 @@ public final class StartSweep implements StartPass {
         int b = rows.link[j * LINK + 1];
         int n = rows.link[j * LINK + ConstraintRows.COUNT];
         int o = rows.base(j);
-        ScalarSweep.hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, NONE, st);
+        ScalarNormals.hardenAll(d, o, lanes, n, sub, st);
+        ScalarNormals.sweep(d, o, lanes, body, a, b, n, sub.sweeps, NONE, st);
         double change = 0;
         for (int p = 0; p < n; p++) {
             change = Math.max(change, Math.abs(st[Scratch.CHANGE + p]));
         }
         if (d[o + FRICTION * lanes] > 0) {
-            double x = d[o + ConstraintRows.LAMBDA * lanes];
-            double y = d[o + (ConstraintRows.LAMBDA + 1) * lanes];
+            int f = o + ConstraintRows.LAMBDA * lanes;
+            double x = d[f];
+            double y = d[f + lanes];
+            double twist = d[f + 2 * lanes];
             ScalarFriction.solve(d, o, lanes, body, a, b, n);
-            change = Math.max(change, Math.abs(d[o + ConstraintRows.LAMBDA * lanes] - x));
-            change = Math.max(change, Math.abs(d[o + (ConstraintRows.LAMBDA + 1) * lanes] - y));
+            change = Math.max(change, Math.abs(d[f] - x));
+            change = Math.max(change, Math.abs(d[f + lanes] - y));
+            double radius = radius(d, o, lanes, n);
+            if (radius > 0) {
+                // as a force at the patch's rim
+                change = Math.max(change, Math.abs(d[f + 2 * lanes] - twist) / radius);
+            }
         }
         islands.note(root, change, RowArithmetic.largest(d, o, lanes, n));
+    }
+
+    /** Of a patch, m: the distance of its farthest point from its middle; 0 if it has one point. */
+    private static double radius(double[] d, int o, int lanes, int points) {
+        double most = 0;
+        for (int p = 0; p < points; p++) {
+            most = Math.max(most, d[o + (ConstraintRows.REACH + p) * lanes]);
+        }
+        return most;
     }
 
     /** The springs of the points hold what presses on them more: {@code offset = impulse/k}. */

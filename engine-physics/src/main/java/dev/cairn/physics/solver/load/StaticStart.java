@@ -52,7 +52,7 @@ public class StaticStart {
     private static final int EVERY = 4;
 
     /** Of a leap, in changes of a sweep. */
-    private static final double LONGEST = 100;
+    static final double LONGEST = 100;
 
     /** To a contact: four of points, two of friction and a twist. */
     static final int IMPULSES = 7;
@@ -80,6 +80,12 @@ public class StaticStart {
     boolean[] framed = {};
 
     private double[] rate = {};
+
+    /** Of its next leap, at most; and of its last one, in changes of a sweep. */
+    double[] longest = {};
+
+    double[] leapt = {};
+
     private double[] reach = {};
 
     /** By slot: the last leap that the body took part in, and its velocity before. */
@@ -154,6 +160,7 @@ public class StaticStart {
             change[i] = 0;
             largest[i] = 0;
             before[i] = 0;
+            longest[i] = LONGEST;
             taken[i] = -1;
         }
     }
@@ -254,6 +261,8 @@ public class StaticStart {
             frame = new double[3 * n];
             framed = new boolean[n];
             rate = new double[n];
+            longest = new double[n];
+            leapt = new double[n];
             reach = new double[n];
             taken = new int[n];
             oldSpeed = new double[6 * n];
@@ -320,18 +329,28 @@ public class StaticStart {
     }
 
     /** After a sweep, for each row; returns whether the island needs another one. */
-    boolean goesOn(int root) {
+    boolean goesOn(int root, int sweep) {
         if (swept[root]) {
             swept[root] = false;
             boolean isSame = !(change[root] > agrees * largest[root]);
             sweepsLeft[root] = isSame ? 0 : sweepsLeft[root] - 1;
             rate[root] = change[root] / before[root];
+            if (leaps(sweep)) {
+                beforeLeap(root, change[root]);
+            }
             before[root] = change[root];
             change[root] = 0;
             largest[root] = 0;
         }
         return sweepsLeft[root] > 0;
     }
+
+    /**
+     * Before a leap.
+     *
+     * @param now largest change of an impulse in the sweep before it
+     */
+    void beforeLeap(int root, double now) {}
 
     /** Whether a sweep is one of two before a leap. */
     static boolean isLookedAt(int sweep) {
@@ -364,11 +383,12 @@ public class StaticStart {
     double impulse(int root, int contact, int k, double now, boolean leaps) {
         int at = IMPULSES * contact + k;
         if (!leaps) {
-            reach[root] = LONGEST;
+            reach[root] = longest[root];
             oldImpulse[at] = now;
             return now;
         }
-        return now + leap(root) * (now - oldImpulse[at]);
+        leapt[root] = leap(root);
+        return now + leapt[root] * (now - oldImpulse[at]);
     }
 
     /** The same for a component of a velocity. */
