@@ -299,18 +299,9 @@ final class DocsTest {
 
     /** The page links to each of the ten, and each is short. */
     @Test
-    void theEverydayProgramsAreTenAndShort() throws IOException {
-        String folder = "src/test/java/dev/cairn/system/tutorial/";
-        String everyday = Files.readString(ROOT.resolve(folder + "EverydayTest.java"));
-        Pattern program =
-                Pattern.compile("    @Test\n    void (\\w+)\\(\\) .*?\n    }\n", Pattern.DOTALL);
-        List<String> names = new ArrayList<>();
-        for (Matcher m = program.matcher(everyday); m.find(); ) {
-            names.add(m.group(1));
-            long lines = m.group().lines().count();
-            assertTrue(lines < 30, m.group(1) + " has " + lines + " lines, expected below 30");
-        }
-        assertEquals(
+    void theEverydayProgramsAreAllThereAndShort() throws IOException {
+        assertPrograms(
+                "EverydayTest",
                 List.of(
                         "fallingBox",
                         "wind",
@@ -321,8 +312,23 @@ final class DocsTest {
                         "conveyor",
                         "oneWay",
                         "picking",
-                        "ensembleOfWorlds"),
-                names);
+                        "ensembleOfWorlds"));
+        assertPrograms(
+                "LiveChangesTest", List.of("mass", "type", "shape", "filter", "gravityScale"));
+    }
+
+    private static void assertPrograms(String test, List<String> expected) throws IOException {
+        String folder = "src/test/java/dev/cairn/system/tutorial/";
+        String programs = Files.readString(ROOT.resolve(folder + test + ".java"));
+        Pattern program =
+                Pattern.compile("    @Test\n    void (\\w+)\\(\\) .*?\n    }\n", Pattern.DOTALL);
+        List<String> names = new ArrayList<>();
+        for (Matcher m = program.matcher(programs); m.find(); ) {
+            names.add(m.group(1));
+            long lines = m.group().lines().count();
+            assertTrue(lines < 30, m.group(1) + " has " + lines + " lines, expected below 30");
+        }
+        assertEquals(expected, names);
         for (String name : names) {
             assertTrue(page("tutorials.md").contains("| `" + name + "` |"), name);
         }

@@ -351,11 +351,11 @@ final class ColliderTable implements Stateful {
         return true;
     }
 
-    /** Where a collider is among the parts of its body. */
+    /** Where a collider is among the {@link #parts} of its body. */
     private int placeOf(int collider) {
         int place = 0;
         for (int c = first(colliders.body[collider]); c != collider; c = colliders.next[c]) {
-            place++;
+            place += colliders.isWhole(c) ? 0 : 1;
         }
         return place;
     }

@@ -195,7 +195,7 @@ public final class ContactSolver {
         timing(stepSeconds);
         tick.body.ensureCapacity(bodies.slotCount);
         ensureBenches(jobs.workers());
-        boolean bears =
+        boolean stacked =
                 collector.run(
                         bodies,
                         contacts,
@@ -205,7 +205,7 @@ public final class ContactSolver {
                         tick.settings.count(Tunable.FLOATS_FROM),
                         jobs);
         tick.order = batches.order;
-        supports.find(tick, bears, softPace.seconds(), benches, jobs);
+        supports.find(tick, stacked, softPace.seconds(), benches, jobs);
         for (int k = Batches.FLOATS; k <= Batches.DOUBLES; k++) {
             if (list.count > 0 && batches.hasBodies(k)) {
                 passes[k].ensureCapacity(bodies.slotCount);

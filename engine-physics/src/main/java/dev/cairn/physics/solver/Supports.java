@@ -56,12 +56,16 @@ final class Supports {
     /**
      * Finds them for a tick whose rows are listed.
      *
-     * @param bears whether a dynamic body touches another one, or a kinematic one
+     * @param stacked whether any two dynamic bodies touch
      * @param softSeconds length of the sub-step by which contacts are soft
      * @param benches get their room for direct solves
      */
     void find(
-            SolverContext tick, boolean bears, double softSeconds, Workbench[] benches, Jobs jobs) {
+            SolverContext tick,
+            boolean stacked,
+            double softSeconds,
+            Workbench[] benches,
+            Jobs jobs) {
         settles =
                 tick.settings.count(Tunable.UNLOAD_SWEEPS) > 0
                         && unloading.find(
@@ -72,12 +76,26 @@ final class Supports {
                                 tick.weight(),
                                 collector.isSame());
         // what rides is put in balance, and keeps its place, also where nothing is on it
-        boolean weighs = bears || collector.sides.count() > 0;
+        boolean weighs = stacked || collector.sides.count() > 0 || standsOnKinematic(tick);
         findStart(tick, weighs);
         settles |= start.found;
         findRiders(tick);
         findLoads(tick, weighs, jobs);
         findDirect(tick, softSeconds, benches);
+    }
+
+    /** Also on one that stands still: it may start in any tick. */
+    private boolean standsOnKinematic(SolverContext t) {
+        BodyStore b = t.bodies;
+        boolean any = false;
+        // a world that never had one has no room for their ramps
+        for (int m = 0; b.ramp.length > 0 && !any && m < list.contacts; m++) {
+            int row = list.source[m];
+            any =
+                    b.kind[t.contacts.bodyA[row]] == BodyStore.KINEMATIC
+                            || b.kind[t.contacts.bodyB[row]] == BodyStore.KINEMATIC;
+        }
+        return any;
     }
 
     private void findStart(SolverContext t, boolean weighs) {

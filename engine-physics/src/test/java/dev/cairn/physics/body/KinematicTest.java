@@ -439,11 +439,48 @@ class KinematicTest {
                                             .shape(Box.cubeOfHalfExtent(1))
                                             .velocity(0, 1e300, 0)));
             assertThrows(IllegalArgumentException.class, () -> hand.moveTo(null));
-            hand.applyForce(1, 2, 3);
-            hand.applyImpulse(1, 2, 3);
+            assertThrows(IllegalStateException.class, () -> hand.applyForce(1, 2, 3));
+            assertThrows(IllegalStateException.class, () -> hand.applyImpulse(1, 2, 3));
             world.step(STEP);
             assertEquals(new Vector3d(5, 0, 0), hand.position());
             assertEquals(Double.POSITIVE_INFINITY, hand.mass());
+        }
+    }
+
+    /** Two presses close in on a box, pass the place where it fits, and part again. */
+    @ParameterizedTest
+    @CsvSource({"0.2, 1", "1, 1", "1, 4", "10, 1", "50, 8"})
+    void aBoxBetweenTwoPressesGetsABoundedImpulse(double speed, int lanes) {
+        try (PhysicsWorld world = awake(1, lanes).gravity(0, 0, 0).build()) {
+            Body press = Body.kinematic().shape(Box.ofHalfExtents(0.5, 2, 2));
+            BodyRef left = world.add(press.at(-1.5, 0, 0).velocity(speed, 0, 0));
+            BodyRef right = world.add(press.at(1.5, 0, 0).velocity(-speed, 0, 0));
+            BodyRef box = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)));
+            int closing = (int) Math.max(1, 0.8 / speed / STEP);
+            boolean told = false;
+            for (int tick = 0; tick < 2 * closing + 30; tick++) {
+                if (tick == closing) {
+                    left.setVelocity(-speed, 0, 0);
+                    right.setVelocity(speed, 0, 0);
+                }
+                world.step(STEP);
+                world.validate();
+                assertEquals(-left.position().x, right.position().x, 1e-9);
+                assertTrue(box.position().isFinite(), "tick " + tick);
+                told |= world.crushed().contains(box);
+                Contacts contacts = world.contacts();
+                for (int c = 0; c < contacts.count(); c++) {
+                    for (int p = 0; p < contacts.pointCount(c); p++) {
+                        double impulse = contacts.normalImpulse(c, p);
+                        // of one point in a tick, whatever the speed of the presses
+                        assertTrue(impulse < 250 * box.mass(), "impulse " + impulse);
+                    }
+                }
+            }
+            assertTrue(told, "the box was crushed");
+            assertEquals(List.of(), world.crushed());
+            assertEquals(List.of(), world.quarantined());
+            assertTrue(box.velocity().length() < speed + 20, "let go at " + box.velocity());
         }
     }
 }

@@ -200,6 +200,34 @@ class RidersTest {
         }
     }
 
+    /** A floor that becomes kinematic under who rests on it: a copy of the world goes on alike. */
+    @Test
+    void aFloorThatBecomesAPlatformIsOneInACopyToo() {
+        try (PhysicsWorld world = world(1, 1)) {
+            BodyRef floor = world.add(Body.fixed().shape(Box.ofHalfExtents(9, .1, 9)));
+            BodyRef box = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.3)).at(0, .41, 0));
+            for (int tick = 0; tick < 60; tick++) {
+                if (tick == 20) {
+                    floor.setType(BodyType.KINEMATIC);
+                }
+                world.step(STEP);
+            }
+            try (PhysicsWorld copy = world.fork()) {
+                for (int tick = 0; tick < 60; tick++) {
+                    for (PhysicsWorld each : List.of(world, copy)) {
+                        BodyRef platform = each.bodies().get(0);
+                        if (tick > 20) {
+                            platform.setVelocity(1, 0, 0);
+                        }
+                        each.step(STEP);
+                    }
+                    assertEquals(world.digest(), copy.digest(), "tick " + tick);
+                }
+            }
+            assertEquals(.4, box.position().y, 1e-3);
+        }
+    }
+
     /** Speeds in multiples of what a rider is thick in a tick: nobody flies into the platform. */
     @ParameterizedTest
     @CsvSource({"-4, .05", "-8, .05", "-40, .1", "-100, .3", "8, .05", "100, .1"})

@@ -63,7 +63,7 @@ public final class Collector implements Stateful {
     private final ColourCheck check = new ColourCheck();
     private int slots;
     private int workers;
-    private boolean bears;
+    private boolean stacked;
 
     /** What of the edges of this tick is as it was: who binds whom, and what colours follow. */
     private boolean sameList;
@@ -98,7 +98,7 @@ public final class Collector implements Stateful {
      * @param workerCount who may work at batches
      * @param floatsFrom rows of an island that are floats if there are as many
      * @param jobs runs the comparison
-     * @return whether a dynamic body touches another one, or a kinematic one
+     * @return whether any two dynamic bodies touch
      */
     public boolean run(
             BodyStore bodyStore,
@@ -144,7 +144,7 @@ public final class Collector implements Stateful {
             assert check.areDisjoint(colouring, list, colouring.firstColour[batches.divider], slots)
                     : "a colour has two edges of one body";
         }
-        return bears;
+        return stacked;
     }
 
     /** The edges of the last tick; all that follows from them is made anew. */
@@ -343,28 +343,21 @@ public final class Collector implements Stateful {
     /** Tells who has edges. A body on nothing but one contact with what does not move is guided. */
     private void bind(int[] guide) {
         Arrays.fill(guide, 0, slots, SolverBodies.FREE);
-        bears = false;
+        stacked = false;
         for (int m = 0; m < list.count; m++) {
             int a = list.slotA[m];
             int b = list.slotB[m];
             if ((a | b) >= 0) {
                 guide[a] = SolverBodies.BOUND;
                 guide[b] = SolverBodies.BOUND;
-                bears |= m < list.contacts;
+                stacked |= m < list.contacts;
             } else {
                 int i = Math.max(a, b);
-                bears |= m < list.contacts && isOnKinematic(list.source[m]);
                 boolean isOnly = guides && guide[i] == SolverBodies.FREE && m < list.contacts;
                 isOnly &= list.carrier[m] < 0;
                 guide[i] = isOnly ? m : SolverBodies.BOUND;
             }
         }
-    }
-
-    /** Also on one that stands: it may start in any tick. */
-    private boolean isOnKinematic(int row) {
-        return bodies.kind[contacts.bodyA[row]] == BodyStore.KINEMATIC
-                || bodies.kind[contacts.bodyB[row]] == BodyStore.KINEMATIC;
     }
 
     private void listBouncers() {
