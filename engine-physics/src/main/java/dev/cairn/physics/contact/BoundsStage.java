@@ -268,7 +268,7 @@ public final class BoundsStage {
             } else {
                 lookAtChild(slot, c, vx, vy, vz, spin);
             }
-            target.place(c, true, box, 6 * c);
+            target.place(c, !colliders.sensor[c], box, 6 * c);
         }
         target.settle(slot);
     }

@@ -26,6 +26,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import java.util.ArrayList;
+import java.util.List;
+
 class SensorTest {
     private static Body gate(double halfX, double halfY) {
         return Body.fixed().collider(Collider.of(Box.ofHalfExtents(halfX, halfY, 2)).sensor(true));
@@ -83,6 +86,56 @@ class SensorTest {
                 assertEquals(1, entered, "the one that does not pass by, from " + from);
                 assertEquals(1, left);
             }
+        }
+    }
+
+    /** An eye of radius 1 on a kinematic body flies over what stands still, sleeps, and moves. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 6, 300})
+    void aSensorOnAKinematicBodySeesAllKinds(double speed) {
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+            world.add(Body.fixed().shape(Box.ofHalfExtents(90, .5, 90)).at(0, -3.6, 0));
+            Body cube = Body.fixed().shape(Box.cubeOfHalfExtent(.5));
+            world.add(cube.at(4, 0, 0).name("fixed"));
+            world.add(Body.kinematic().shape(Box.cubeOfHalfExtent(.5)).at(8, 0, 0).name("moved"));
+            Body heap = Body.dynamic().shape(Box.ofHalfExtents(.5, 1.6, .5)).at(12, -1.5, 0);
+            BodyRef sleeper = world.add(heap.name("asleep"));
+            for (int i = 0; i < 120; i++) {
+                world.step(Scenes.STEP);
+            }
+            assertTrue(sleeper.isAsleep());
+            Collider eye = Collider.of(Sphere.of(1)).sensor(true);
+            BodyRef flier = world.add(Body.kinematic().collider(eye).velocity(speed, 0, 0));
+            List<String> seen = new ArrayList<>();
+            List<Double> where = new ArrayList<>();
+            world.contacts()
+                    .listen(
+                            new ContactListener() {
+                                @Override
+                                public void entered(ColliderRef sensor, ColliderRef visitor) {
+                                    seen.add("in " + visitor.body().name());
+                                    where.add(flier.position().x);
+                                }
+
+                                @Override
+                                public void left(ColliderRef sensor, ColliderRef visitor) {
+                                    seen.add("out " + visitor.body().name());
+                                    where.add(flier.position().x);
+                                }
+                            });
+            for (int i = 0; i < Math.round(16 / speed / Scenes.STEP) + 1; i++) {
+                world.step(Scenes.STEP);
+                world.validate();
+            }
+            assertEquals(6, seen.size(), seen.toString());
+            for (int k = 0; k < 3; k++) {
+                String name = List.of("fixed", "moved", "asleep").get(k);
+                double in = where.get(seen.indexOf("in " + name));
+                double out = where.get(seen.indexOf("out " + name));
+                assertEquals(4 * (k + 1) - 1.5, in, 2.1 * speed * Scenes.STEP, name);
+                assertEquals(4 * (k + 1) + 1.5, out, 2.1 * speed * Scenes.STEP, name);
+            }
+            assertTrue(sleeper.isAsleep(), "it wakes nobody");
         }
     }
 
