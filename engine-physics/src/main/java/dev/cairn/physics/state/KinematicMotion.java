@@ -237,11 +237,13 @@ public final class KinematicMotion {
     /**
      * How the velocity changes within the tick. What is known are the mean velocities u of this
      * tick and of those before, and the velocity e at the end of the last. Of a target, where a
-     * tick changes the velocity by less than gravity would: a body that stood goes on from there,
-     * by 2 u; else the smaller of the slopes u - u' and 2 (u - e). Of a velocity that is told, or
-     * that changes by more, a line through the means that does not go beyond any: the smaller of u
-     * - u' and u' - u''. None where two differ in sign (minmod; P. Roe 1986). So what speeds up
-     * evenly does so within the tick too, and a velocity that jumps, jumps.
+     * tick changes the velocity by less than gravity would: if the last tick's line fits the means
+     * of the last two, it goes on from e, by 2 (u - e), whatever it did before; a body that stood
+     * goes on from there, by 2 u; else the smaller of the slopes u - u' and 2 (u - e). Of a
+     * velocity that is told, or that changes by more, a line through the means that does not go
+     * beyond any: the smaller of u - u' and u' - u''. None where two differ in sign (minmod; P. Roe
+     * 1986). So what speeds up evenly does so within the tick too, and a velocity that jumps,
+     * jumps.
      */
     private void ramp(int slot, double stepSeconds, double soft) {
         BodyStore b = bodies;
@@ -320,15 +322,18 @@ public final class KinematicMotion {
         double before = past[p];
         double a = (now - before) * first;
         double c = (before - past[p + 6]) * second;
-        if (stood && gentle > 0) {
-            return 2 * Math.abs(now) <= gentle ? 2 * now : 0;
-        }
-        double line = 2 * (now - past[p + END]);
-        if (Math.abs(line) <= gentle && fits(p, c, gentle)) {
-            return line;
-        }
-        if (Math.abs(a) <= gentle) {
-            c = line;
+        if (gentle > 0) {
+            // not of a turn, whose end nobody knows
+            if (stood) {
+                return 2 * Math.abs(now) <= gentle ? 2 * now : 0;
+            }
+            double line = 2 * (now - past[p + END]);
+            if (Math.abs(line) <= gentle && fits(p, c, gentle)) {
+                return line;
+            }
+            if (Math.abs(a) <= gentle) {
+                c = line;
+            }
         }
         if (!(a * c > 0)) {
             return 0;
