@@ -394,4 +394,26 @@ final class Instances implements AutoCloseable {
         look.close();
         MemoryUtil.memFree(staging);
     }
+
+    /** Instances of one mesh and one texture, which one call draws; they have consecutive slots. */
+    static final class Batch {
+        final Mesh mesh;
+        final Texture texture;
+
+        /** First slot, and how many. */
+        int first;
+
+        int count;
+
+        @Nullable GpuMesh gpuMesh;
+        @Nullable GpuTexture gpuTexture;
+
+        Batch(Mesh mesh, Texture texture) {
+            this.mesh = mesh;
+            this.texture = texture;
+        }
+
+        /** What makes two instances one batch. */
+        record Key(Mesh mesh, Texture texture) {}
+    }
 }

@@ -69,7 +69,7 @@ final class Pass implements AutoCloseable {
         frustum.set(clipFromAnchored, openNear);
         drawn = 0;
         for (int b = 0; b < visible.length; b++) {
-            Batch batch = instances.batch(b);
+            Instances.Batch batch = instances.batch(b);
             visible[b] = instances.visible(frustum, batch.first, batch.count, staging);
             drawn += visible[b];
         }
@@ -90,7 +90,7 @@ final class Pass implements AutoCloseable {
             stagingAddress = MemoryUtil.memAddress(staging);
         }
         for (int b = 0; b < batches; b++) {
-            Batch batch = instances.batch(b);
+            Instances.Batch batch = instances.batch(b);
             GpuMesh mesh = batch.gpuMesh;
             if (mesh == null) {
                 throw new IllegalStateException("a batch without its mesh");

@@ -20,7 +20,6 @@ final class Programs implements AutoCloseable {
         String chosen =
                 "#define SHADOW_TAPS %d\n#define SURFACE_TAPS %d\n"
                                 .formatted(frugal ? 1 : 3, surfaceTaps(frugal))
-                        + "#define OCCLUSION_SHARE %s%n".formatted(SceneUniforms.OCCLUSION_SHARE)
                         + define("SOFT_SHADOWS", effects.softShadows())
                         + define("OCCLUSION", effects.occlusion())
                         + define("REFLECTIONS", effects.reflections())

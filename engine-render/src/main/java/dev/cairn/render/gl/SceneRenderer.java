@@ -7,7 +7,6 @@ import static org.lwjgl.opengl.GL11.GL_CULL_FACE;
 import static org.lwjgl.opengl.GL11.GL_DEPTH_BUFFER_BIT;
 import static org.lwjgl.opengl.GL11.GL_DEPTH_TEST;
 import static org.lwjgl.opengl.GL11.GL_LEQUAL;
-import static org.lwjgl.opengl.GL11.GL_NEAREST;
 import static org.lwjgl.opengl.GL11.GL_ONE;
 import static org.lwjgl.opengl.GL11.GL_ONE_MINUS_SRC_ALPHA;
 import static org.lwjgl.opengl.GL11.GL_SRC_ALPHA;
@@ -21,7 +20,6 @@ import static org.lwjgl.opengl.GL11.glDisable;
 import static org.lwjgl.opengl.GL11.glDrawArrays;
 import static org.lwjgl.opengl.GL11.glEnable;
 import static org.lwjgl.opengl.GL11.glViewport;
-import static org.lwjgl.opengl.GL12.GL_CLAMP_TO_EDGE;
 import static org.lwjgl.opengl.GL13.GL_TEXTURE0;
 import static org.lwjgl.opengl.GL13.glActiveTexture;
 import static org.lwjgl.opengl.GL14.glBlendFuncSeparate;
@@ -48,8 +46,7 @@ public final class SceneRenderer implements AutoCloseable {
     private Effects effects;
     private Programs programs;
 
-    /** Depth of the scene as the camera sees it, for what looks around a pixel. */
-    private @Nullable DepthPass depthMap;
+    private @Nullable Occlusion occlusion;
 
     private final int emptyVertexArray = GlObjects.vertexArray();
     private final Instances instances = new Instances();
@@ -129,14 +126,14 @@ public final class SceneRenderer implements AutoCloseable {
                 .rotateY(camera.yaw())
                 .translate(-eye.x, -eye.y, -eye.z);
         pass.cull(clipFromAnchored);
-        DepthPass depth = effects.occlusion() ? depthMap(target) : null;
-        if (depth != null) {
-            depth.draw(pass, alpha, clipFromAnchored);
+        if (effects.occlusion()) {
+            occlusion(target)
+                    .draw(pass, alpha, clipFromAnchored, eye, Math.tan(camera.fieldOfView() / 2));
         }
         target.bind();
         glViewport(0, 0, target.width(), target.height());
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        drawScene(alpha, light, shadows, camera, aspect);
+        drawScene(alpha, light, shadows, camera);
         drawSky(camera, aspect, light);
         drawGlass();
         if (overlay != null) {
@@ -190,37 +187,29 @@ public final class SceneRenderer implements AutoCloseable {
         return map;
     }
 
-    private DepthPass depthMap(FrameTarget target) {
-        DepthPass map = depthMap;
+    private Occlusion occlusion(FrameTarget target) {
+        Occlusion map = occlusion;
         if (map == null || map.width != target.width() || map.height != target.height()) {
             if (map != null) {
                 map.close();
             }
-            glActiveTexture(GL_TEXTURE0 + SceneUniforms.SCENE_DEPTH);
-            map =
-                    new DepthPass(
-                            "depth", target.width(), target.height(), GL_NEAREST, GL_CLAMP_TO_EDGE);
-            depthMap = map;
+            map = new Occlusion(target.width(), target.height(), emptyVertexArray);
+            occlusion = map;
         }
         return map;
     }
 
     private void drawScene(
-            double alpha,
-            Light light,
-            @Nullable ShadowCascades shadows,
-            Camera camera,
-            double aspect) {
+            double alpha, Light light, @Nullable ShadowCascades shadows, Camera camera) {
         programs.scene.use();
         SceneUniforms uniforms = programs.uniforms;
         uniforms.set(light, alpha, clipFromAnchored, eye, sun);
-        uniforms.setOcclusion(clipFromAnchored, Math.tan(camera.fieldOfView() / 2), aspect);
+        uniforms.setOcclusion(camera.near(), camera.far());
         if (effects.skyLight()) {
             skyTable.bind(light);
         }
-        if (depthMap != null) {
-            glActiveTexture(GL_TEXTURE0 + SceneUniforms.SCENE_DEPTH);
-            depthMap.bindTexture();
+        if (occlusion != null) {
+            occlusion.bind();
         }
         uniforms.setShadows(shadows, effects.softShadows());
         glActiveTexture(GL_TEXTURE0);
@@ -323,8 +312,8 @@ public final class SceneRenderer implements AutoCloseable {
             shadowMap.close();
         }
         instances.close();
-        if (depthMap != null) {
-            depthMap.close();
+        if (occlusion != null) {
+            occlusion.close();
         }
         skyTable.close();
         programs.close();

@@ -19,9 +19,10 @@ final class SceneUniforms {
     static final int MORE_SHADOWS = 6;
     static final int MORE_NUMBERS = 8;
     static final int SKY_TABLE = 10;
+    static final int OPEN_SHARE = 11;
 
-    /** Radius of the neighbourhood that hides sky, by its distance from the eye. */
-    static final double OCCLUSION_SHARE = 0.07;
+    /** How far beside a surface another one may lie that passes for the same, by its distance. */
+    private static final double SAME_SURFACE = 0.004;
 
     private final int clipFromAnchored;
     private final int alpha;
@@ -46,11 +47,10 @@ final class SceneUniforms {
     private final int[] shadowDepth = new int[ShadowCascades.MOST];
     private final int skyTable;
     private final int sceneDepth;
-    private final int anchoredFromClip;
-    private final int occlusionReach;
+    private final int openShare;
+    private final int depthTolerance;
     private final int finish;
     private final int opacity;
-    private final Matrix4d inverse = new Matrix4d();
 
     SceneUniforms(ShaderProgram program) {
         clipFromAnchored = program.uniform("clipFromAnchored");
@@ -76,8 +76,8 @@ final class SceneUniforms {
             shadowBias[i] = program.uniformIfUsed("shadowBias[" + i + "]");
         }
         sceneDepth = program.uniformIfUsed("sceneDepth");
-        anchoredFromClip = program.uniformIfUsed("anchoredFromClip");
-        occlusionReach = program.uniformIfUsed("occlusionReach");
+        openShare = program.uniformIfUsed("openShare");
+        depthTolerance = program.uniformIfUsed("depthTolerance");
         finish = program.uniformIfUsed("finish");
         opacity = program.uniform("opacity");
     }
@@ -127,16 +127,15 @@ final class SceneUniforms {
     }
 
     /**
-     * Where points around a pixel lie.
+     * The depth of a point w metres ahead of the camera is f / (f - n) (1 - n / w), so that a share
+     * s of w changes it by s n f / (f - n) / w.
      *
-     * @param clipFromAnchored of the picture
-     * @param tan of half the field of view, upwards
-     * @param aspect width by height
+     * @param near distance of the near plane, m
+     * @param far same
      */
-    void setOcclusion(Matrix4d clipFromAnchored, double tan, double aspect) {
-        ShaderProgram.set(anchoredFromClip, clipFromAnchored.invert(inverse));
-        double reach = 0.5 * OCCLUSION_SHARE / tan;
-        ShaderProgram.set(occlusionReach, reach / aspect, reach);
+    void setOcclusion(double near, double far) {
+        ShaderProgram.set(openShare, OPEN_SHARE);
+        ShaderProgram.set(depthTolerance, SAME_SURFACE * near * far / (far - near));
     }
 
     void setTexture(Texture texture) {

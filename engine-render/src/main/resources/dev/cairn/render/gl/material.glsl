@@ -1,28 +1,25 @@
 #if OCCLUSION
 uniform sampler2D sceneDepth;
-uniform mat4 anchoredFromClip;
-uniform vec2 occlusionReach; // of the neighbourhood, in pictures' widths and heights
-const int OCCLUSION_TAPS = 20;
+uniform sampler2D openShare; // by occlusion.frag, each pixel with one of 16 turns
+uniform float depthTolerance; // of the surface itself, at 1 m from the camera
 
-// Part of the sky that the neighbourhood leaves open, from the picture's depths: a near point q hides the more the
-// higher it stands over the surface, sum of (q - p) . n / (q - p)^2 (McGuire and others, "Scalable ambient obscurance",
-// 2012).
-float openSky(vec3 p, vec3 normal, vec3 eye) {
-    float far = length(p - eye);
-    float radius = OCCLUSION_SHARE * far;
-    vec2 perPixel = 1.0 / vec2(textureSize(sceneDepth, 0));
-    float turn = grain();
+// Part of the sky that the neighbourhood leaves open: the mean over 4 x 4 pixels, and so over all turns, of those that
+// lie on this surface. Depths of a plane are linear on the picture.
+float openSky() {
+    ivec2 last = textureSize(sceneDepth, 0) - 1;
+    vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+    float tolerance = depthTolerance * gl_FragCoord.w;
+    float weight = 0.0;
     float sum = 0.0;
-    for (int i = 0; i < OCCLUSION_TAPS; i++) {
-        vec2 at = gl_FragCoord.xy * perPixel + occlusionReach * spiral(i, OCCLUSION_TAPS, turn);
-        vec4 clip = vec4(vec3(at, texture(sceneDepth, at).r) * 2.0 - 1.0, 1.0);
-        vec4 q = anchoredFromClip * clip;
-        vec3 v = q.xyz / q.w - p;
-        float square = dot(v, v) / (radius * radius);
-        float near = max(1.0 - square, 0.0);
-        sum += near * near * max(dot(v, normal) / radius - 0.03, 0.0) / (square + 0.01);
+    for (int i = 0; i < 16; i++) {
+        ivec2 shift = ivec2(i & 3, i >> 2) - 2;
+        ivec2 at = clamp(ivec2(gl_FragCoord.xy) + shift, ivec2(0), last);
+        float expected = gl_FragCoord.z + dot(slope, vec2(shift));
+        float same = abs(texelFetch(sceneDepth, at, 0).r - expected) < tolerance ? 1.0 : 0.0;
+        weight += same;
+        sum += same * texelFetch(openShare, at, 0).r;
     }
-    return 1.0 / (1.0 + 6.0 * sum / float(OCCLUSION_TAPS));
+    return weight > 0.0 ? sum / weight : 1.0;
 }
 #endif
 

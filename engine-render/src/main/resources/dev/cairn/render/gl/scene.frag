@@ -64,7 +64,7 @@ void main() {
     vec3 ambient = mix(groundLight, skyLight, 0.5 + 0.5 * normal.y);
 #endif
 #if OCCLUSION
-    float open = openSky(anchored, normal, eye);
+    float open = openSky();
 #else
     const float open = 1.0;
 #endif

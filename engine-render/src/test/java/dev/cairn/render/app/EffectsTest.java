@@ -107,6 +107,37 @@ class EffectsTest extends Drawing {
         assertTrue(Math.abs(open) <= 3, "far from all corners by " + open);
     }
 
+    /**
+     * Light changes over a face away from the sun, in the corner that it makes with a floor and a
+     * wall, but from pixel to pixel only by little: no speckle. Counts the inner pixels that differ
+     * from the mean of the pixels on both sides.
+     */
+    @Test
+    void aFaceAwayFromTheSunHasNoSpeckle() {
+        place(floor(10, 10), 0, -0.5, 0);
+        place(Model.of(Box.ofHalfExtents(2, 2, 0.5)).texture(Texture.WHITE), 0, 2, 0);
+        place(Model.of(Box.ofHalfExtents(0.5, 2, 2)).texture(Texture.WHITE), -2.5, 2, 2);
+        Camera camera = new Camera().lookAt(0, 2.5, 5, 0, 0.8, 0);
+        Light behind = SUNNY.from(0.3, 0.5, -1);
+        for (String effects : new String[] {"occlusion", "all"}) {
+            Picture picture = draw(effects, camera, behind);
+            int darkest = 3 * 255;
+            int brightest = 0;
+            for (int y = 30; y < 130; y++) {
+                for (int x = 120; x < 210; x++) {
+                    int here = grey(picture.at(x, y));
+                    // 2 of 255 in each of three colours, and of the mean of two.
+                    int across = grey(picture.at(x - 1, y)) + grey(picture.at(x + 1, y));
+                    int bend = Math.abs(2 * here - across);
+                    assertTrue(bend <= 9, effects + ": " + bend + " at " + x + ", " + y);
+                    darkest = Math.min(darkest, here);
+                    brightest = Math.max(brightest, here);
+                }
+            }
+            assertTrue(brightest > darkest + 40, effects + " is even: " + darkest);
+        }
+    }
+
     /** A mirror that faces the eye at 45 degrees shows the zenith, and paint does not. */
     @Test
     void metalMirrorsTheSkyInItsOwnColour() {
