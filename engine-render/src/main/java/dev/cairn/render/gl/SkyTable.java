@@ -27,9 +27,10 @@ import java.nio.FloatBuffer;
  * The sky as light. It looks the same all around, so two numbers are enough to look it up: the
  * height of a direction, and how rough the mirror is. A row for each roughness holds the mean of
  * the sky over the lobe of GGX around a mirrored direction, seen along it (the first part of the
- * split sum of Karis, "Real shading in Unreal Engine 4", 2013); the last row the light on a surface
- * by its normal, the mean over its half of the sky by the cosine. Made anew when the light changes,
- * by sums over fixed directions, so that pictures are the same bytes each time. GL thread.
+ * split sum of Karis, "Real shading in Unreal Engine 4", 2013, weighted by what the facets let
+ * through instead of by the cosine, so that it is exact from above); the last row the light on a
+ * surface by its normal, the mean over its half of the sky by the cosine. Made anew when the light
+ * changes, by sums over fixed directions, so that pictures are the same bytes each time. GL thread.
  */
 final class SkyTable implements AutoCloseable {
     /** Known to material.glsl. */
@@ -146,10 +147,15 @@ final class SkyTable implements AutoCloseable {
             double aside = 2 * cos * Math.sqrt(Math.max(0, 1 - cos * cos));
             if (towards > 0) {
                 double up = towards * height + aside * Math.cos(angle) * side;
+                // Smith's visibility of the light among the facets; the eye hides none.
+                double seen =
+                        2
+                                * towards
+                                / (towards + Math.sqrt(a * a + (1 - a * a) * towards * towards));
                 for (int c = 0; c < 3; c++) {
-                    sum[c] += towards * sky(light, up, c);
+                    sum[c] += seen * sky(light, up, c);
                 }
-                weight += towards;
+                weight += seen;
             }
         }
         for (int c = 0; c < 3; c++) {

@@ -109,6 +109,52 @@ class SkyAndShadowsTest extends Drawing {
         assertTrue(seen[1] > 80, "rough metal some sky: " + seen[1]);
     }
 
+    /**
+     * Metal that faces up, seen from above, under a sky L = exp(-3 y). Of the light along l it
+     * sends D(h) G(l, v) / (4 n.l n.v) n.l to the eye; with v = n all depends on the angle t of h =
+     * (l + v) / 2 alone, dl = 4 cos t dh, and the sum over h is that of L(cos 2t) G 2 pi D cos t
+     * sin t dt. By that of a white sky, so that how much of all light the metal keeps is left out.
+     */
+    @Test
+    void metalMirrorsTheSkyAsTheIntegralOverItsFacetsSays() {
+        Light light = new Light(0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x000000, 0xFFFFFF, 0, false);
+        for (double roughness : new double[] {0.05, 0.2, 0.35, 0.5, 0.65, 0.8}) {
+            double a = roughness * roughness;
+            double sum = 0;
+            double white = 0;
+            int steps = 100_000;
+            for (int i = 0; i < steps; i++) {
+                double t = Math.PI / 4 * (i + 0.5) / steps;
+                double cos = Math.cos(t);
+                double d = a / (cos * cos * (a * a - 1) + 1);
+                double l = Math.cos(2 * t);
+                // Smith for both ways, of facets whose heights are correlated; the eye's part is 1.
+                double g = 2 * l / (l + Math.sqrt(a * a + (1 - a * a) * l * l));
+                double share = 2 * d * d * cos * Math.sin(t) * Math.PI / 4 / steps;
+                sum += Math.exp(-3 * l) * g * share;
+                white += g * share;
+            }
+            double bright = linear(mirrored(roughness, light.background(0xFFFFFF, 0xFFFFFF)));
+            int seen = mirrored(roughness, light);
+            assertEquals(encoded(bright * sum / white), seen, 2, "roughness " + roughness);
+        }
+    }
+
+    private static double linear(int value) {
+        return Math.pow((value / 255.0 + 0.055) / 1.055, 2.4);
+    }
+
+    /** What a plate of white metal that faces up shows to an eye above it. */
+    private static int mirrored(double roughness, Light light) {
+        Texture metal = Texture.WHITE.finish(roughness, 1);
+        try (Stage stage = new Stage()) {
+            stage.add(Pose.at(0, 0, 0), box(2, 2, 2).texture(metal).color(0xFFFFFF));
+            Camera above = new Camera().lookAt(0, 8, 1e-3, 0, 0, 0);
+            Picture picture = draw("reflections,sky-light", stage, above, light);
+            return green(picture, WIDTH / 2, HEIGHT / 2);
+        }
+    }
+
     private static int[] pixel(Camera camera, double x, double y, double z) {
         Vector3d eye = camera.position(new Vector3d());
         Vector3d forward = camera.forward(new Vector3d());
