@@ -22,6 +22,7 @@ public final class View {
     private double alpha;
     private double aspect = 1;
     private double framesPerSecond;
+    private double panelMillis;
     private long frames;
     private final Picker picker = new Picker();
     private final Vector3d eye = new Vector3d();
@@ -50,8 +51,9 @@ public final class View {
         lines = value;
     }
 
-    void rate(double newFramesPerSecond) {
+    void rate(double newFramesPerSecond, double newPanelMillis) {
         framesPerSecond = newFramesPerSecond;
+        panelMillis = newPanelMillis;
     }
 
     /**
@@ -183,6 +185,16 @@ public final class View {
      */
     public double framesPerSecond() {
         return framesPerSecond;
+    }
+
+    /**
+     * Wall time that the panels took of this thread for each frame: their calls, and handing them
+     * to OpenGL.
+     *
+     * @return ms, mean over the last half second
+     */
+    public double panelMillis() {
+        return panelMillis;
     }
 
     /**

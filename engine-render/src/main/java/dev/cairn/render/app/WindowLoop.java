@@ -63,6 +63,7 @@ final class WindowLoop {
     private boolean vsync = true;
     private long frames;
     private long framesAtTitle;
+    private long panelNanos;
     private double titleAge;
     private long stepsInTitle = -1;
     private final TextBuffer title = new TextBuffer();
@@ -143,7 +144,9 @@ final class WindowLoop {
         }
         if (panels != null) {
             into.bindResolved();
+            long start = System.nanoTime();
             panels.paint();
+            panelNanos += System.nanoTime() - start;
         }
         into.show();
         GlContext.checkErrors("a frame of the window");
@@ -190,12 +193,14 @@ final class WindowLoop {
     private void arrangePanels(FrameTarget into, double elapsed) {
         NuklearUi ui = panels;
         if (ui != null) {
+            long start = System.nanoTime();
             ui.begin(into.width(), into.height());
             application.panels(ui, view);
             if (application.isHelpShown()) {
                 help.draw(ui, application.bindings());
             }
             notice.draw(ui, elapsed);
+            panelNanos += System.nanoTime() - start;
         }
     }
 
@@ -303,7 +308,9 @@ final class WindowLoop {
             return;
         }
         if (titleAge >= TITLE_SECONDS) {
-            view.rate((frames - framesAtTitle) / titleAge);
+            long shown = Math.max(1, frames - framesAtTitle);
+            view.rate((frames - framesAtTitle) / titleAge, 1e-6 * panelNanos / shown);
+            panelNanos = 0;
             titleAge = 0;
             framesAtTitle = frames;
         }

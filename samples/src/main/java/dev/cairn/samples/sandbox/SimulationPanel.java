@@ -70,7 +70,7 @@ final class SimulationPanel {
                 ui.endSection();
             }
             if (ui.section("Window", false)) {
-                window(ui);
+                window(ui, view);
                 ui.endSection();
             }
             if (ui.section("Keys", false)) {
@@ -198,7 +198,8 @@ final class SimulationPanel {
         }
     }
 
-    private void window(Ui ui) {
+    private void window(Ui ui, View view) {
+        ui.value("panels, ms a frame", text.clear().put(view.panelMillis(), 2));
         sandbox.fullscreen(ui.checkbox("full screen (F11)", sandbox.isFullscreen()));
         sandbox.vsync(ui.checkbox("wait for the screen", sandbox.isVsync()));
         ui.columns(4);

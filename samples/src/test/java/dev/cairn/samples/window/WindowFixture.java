@@ -58,6 +58,11 @@ public abstract class WindowFixture {
      */
     public abstract Class<?> program();
 
+    /** What the program finds in its environment beside what it inherits. */
+    public Map<String, String> environment() {
+        return Map.of();
+    }
+
     /** When the window is ready for the test. */
     public abstract boolean ready(Seen seen);
 
@@ -141,6 +146,7 @@ public abstract class WindowFixture {
         builder.environment().put("DISPLAY", display);
         builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
         builder.environment().remove("WAYLAND_DISPLAY");
+        builder.environment().putAll(environment());
         sandbox = builder.redirectError(folder.resolve("sandbox.txt").toFile()).start();
         BufferedReader reader =
                 new BufferedReader(

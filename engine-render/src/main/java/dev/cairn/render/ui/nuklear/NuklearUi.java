@@ -35,13 +35,13 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final UiFont font;
     private final UiPainter painter;
     private final UiCross cross;
+    private final UiPlot plots;
     private final ByteBuffer memory = MemoryUtil.memAlignedAlloc(64, MEMORY_BYTES);
     private final long edited = MemoryUtil.nmemAllocChecked(TEXT_BYTES);
     private final NkContext context = NkContext.calloc();
     private final NkRect rect = NkRect.calloc();
     private final NkVec2 vector = NkVec2.calloc();
     private final NkColor first = NkColor.calloc();
-    private final NkColor second = NkColor.calloc();
     private final UiText letters = new UiText();
 
     /** Room for a number that Nuklear changes; an array on the heap would be wrapped each time. */
@@ -82,6 +82,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
         nk_init_fixed(context, memory, font.regular());
         UiStyle.apply(context, scale);
         cross = new UiCross(context, scale);
+        plots = new UiPlot(context, scale);
     }
 
     /**
@@ -214,8 +215,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     private double[] remember(String label) {
         nk_widget_bounds(context, rect);
-        return remember(
-                label, rect.x() / scale, rect.y() / scale, rect.w() / scale, rect.h() / scale);
+        double s = scale;
+        return remember(label, rect.x() / s, rect.y() / s, rect.w() / s, rect.h() / s);
     }
 
     private double[] remember(String label, double left, double top, double w, double h) {
@@ -344,8 +345,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
         row(ROW, 3, sliderColumns);
         hint(hint);
         write(label, NK_TEXT_LEFT);
-        double share = SliderScale.share(min, max, value);
         double[] at = remember(label);
+        double share = SliderScale.share(min, max, value);
         hint(hint);
         double moved = value;
         if (isMoved(label)) {
@@ -387,7 +388,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
         int chosen = selected;
         // Down to the lower edge of the picture, and scrolled if that is too near.
         double below = height() - at[1] - at[3] - 8;
-        double wanted = Math.min(12 + (ROW + 4) * options.size(), 320);
+        double wanted = Math.clamp(12 + (ROW + 4) * options.size(), 3 * ROW, 320);
         vector.set(px(at[2]), px(Math.max(Math.min(wanted, below), 3 * ROW)));
         if (nnk_combo_begin_label(
                 context.address(), letters.of(options.get(selected)), vector.address())) {
@@ -440,7 +441,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
             String label, CharSequence value, float[] values, int begin, int count, int rgb) {
         value(label, value);
         nk_layout_row_dynamic(context, px(PLOT), 1);
-        UiPlot.curve(context, first, second, values, begin, count, rgb);
+        plots.curve(values, begin, count, rgb);
     }
 
     @Override
@@ -491,8 +492,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
         rect.free();
         vector.free();
         first.free();
-        second.free();
         cross.close();
+        plots.close();
         letters.close();
         MemoryUtil.nmemFree(numbers);
         sections.close();

@@ -48,9 +48,6 @@ final class UiStyle {
         style.combo().button_padding(at -> size(at, 2 * scale, 6 * scale));
         style.edit().rounding((float) (4 * scale)).border((float) scale);
         style.edit().padding(at -> size(at, 6 * scale, 4 * scale));
-        style.chart().rounding((float) (4 * scale)).border(0);
-        style.chart().show_markers(false);
-        style.chart().padding(at -> size(at, 4 * scale, 4 * scale));
         style.tab().rounding((float) (4 * scale)).border(0);
         style.tab().padding(at -> size(at, 4 * scale, 4 * scale));
         style.tab().spacing(at -> size(at, 4 * scale, 4 * scale));
