@@ -3,6 +3,7 @@ package dev.cairn.samples;
 import dev.cairn.samples.accuracy.AccuracyCommand;
 import dev.cairn.samples.decompose.DecomposeCommand;
 import dev.cairn.samples.film.GalleryCommand;
+import dev.cairn.samples.film.PicturesCommand;
 import dev.cairn.samples.fuzz.FuzzCommand;
 import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenefile.SceneFile;
@@ -59,6 +60,7 @@ import java.util.Map;
             "  samples accuracy --quick      (compares with closed forms; accuracy --help)",
             "  samples fuzz --worlds 1000    (random worlds against laws; fuzz --help)",
             "  samples gallery               (the animations of docs/gallery.md)",
+            "  samples pictures              (the pictures without and with effects)",
             "",
             "Exit codes: 0 done; 1 a scene failed; 2 the options make no sense (one line says why)."
         })
@@ -264,10 +266,12 @@ public final class Main {
                 return FAILED;
             }
         }
-        if (first.equals("gallery")) {
+        if (first.equals("gallery") || first.equals("pictures")) {
+            String[] rest = Arrays.copyOfRange(arguments, 1, arguments.length);
             try {
-                return GalleryCommand.run(
-                        Arrays.copyOfRange(arguments, 1, arguments.length), out, err);
+                return first.equals("gallery")
+                        ? GalleryCommand.run(rest, out, err)
+                        : PicturesCommand.run(rest, out, err);
             } catch (UncheckedIOException unwritable) {
                 err.println(oneLine(unwritable));
                 return FAILED;

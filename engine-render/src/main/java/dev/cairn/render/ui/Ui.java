@@ -1,5 +1,7 @@
 package dev.cairn.render.ui;
 
+import dev.cairn.render.mesh.Texture;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.List;
@@ -173,6 +175,49 @@ public interface Ui {
      * @return true once when the user chooses it
      */
     boolean item(String label, boolean selected, String hint);
+
+    /**
+     * A line of a list with a picture before it; a click on either chooses it.
+     *
+     * @param label what is written on it
+     * @param selected whether it is the chosen one
+     * @param hint shown while the mouse is over it; may be empty
+     * @param picture what is shown, as 16:9
+     * @return true once when the user chooses it
+     */
+    boolean item(String label, boolean selected, String hint, Part picture);
+
+    /**
+     * A part of a picture; made once, not in each frame.
+     *
+     * @param sheet the whole picture
+     * @param left pixels from its left edge
+     * @param top pixels from its upper edge
+     * @param width pixels
+     * @param height pixels
+     */
+    record Part(Texture sheet, int left, int top, int width, int height) {
+        /** Checks that it lies on the sheet. */
+        public Part {
+            if (left < 0
+                    || top < 0
+                    || width < 1
+                    || height < 1
+                    || left + width > sheet.width()
+                    || top + height > sheet.height()) {
+                throw new IllegalArgumentException(
+                        "part is %d x %d at %d, %d, expected inside of %d x %d of %s"
+                                .formatted(
+                                        width,
+                                        height,
+                                        left,
+                                        top,
+                                        sheet.width(),
+                                        sheet.height(),
+                                        sheet));
+            }
+        }
+    }
 
     /**
      * A heading that opens and closes what is below it.

@@ -8,9 +8,11 @@ import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.editor.EditorPanels;
+import dev.cairn.samples.film.Thumbnails;
 import dev.cairn.samples.panel.Places;
 
 import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -34,6 +36,7 @@ final class SandboxPanels {
 
     private final Sandbox sandbox;
     private final List<SampleScene> scenes;
+    private final List<Ui.@Nullable Part> thumbnails;
     private final SimulationPanel simulation;
     private final TimePanel time;
     private final List<String> groups = new ArrayList<>();
@@ -55,6 +58,7 @@ final class SandboxPanels {
     SandboxPanels(Sandbox sandbox, List<SampleScene> scenes) {
         this.sandbox = sandbox;
         this.scenes = scenes;
+        this.thumbnails = Thumbnails.of(scenes);
         this.simulation = new SimulationPanel(sandbox);
         this.time = new TimePanel(sandbox);
         for (SampleScene scene : scenes) {
@@ -191,7 +195,7 @@ final class SandboxPanels {
                         SampleScene scene = scenes.get(i);
                         if (isHit[i]
                                 && scene.group().equals(group)
-                                && ui.item(scene.title(), i == state.scene, "")) {
+                                && item(ui, i, i == state.scene)) {
                             int index = i;
                             sandbox.post(() -> sandbox.show(index));
                         }
@@ -201,6 +205,12 @@ final class SandboxPanels {
             }
         }
         ui.endPanel();
+    }
+
+    private boolean item(Ui ui, int scene, boolean shown) {
+        Ui.Part picture = thumbnails.get(scene);
+        String title = scenes.get(scene).title();
+        return picture == null ? ui.item(title, shown, "") : ui.item(title, shown, "", picture);
     }
 
     /** A field for words; only scenes whose texts have all of them are listed. */

@@ -7,7 +7,9 @@ import dev.cairn.samples.window.WindowFixture;
 
 import org.junit.jupiter.api.Test;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.util.stream.IntStream;
 
 /** The list of scenes, and the words that make it shorter. */
 class SearchWindowTest extends WindowFixture {
@@ -37,7 +39,26 @@ class SearchWindowTest extends WindowFixture {
         settle();
         look("search");
         assertFalse(now().flag("paused"), "letters of the field are no keys: " + last);
-        click("hit");
+        // The picture stands left of the name, and is no even patch.
+        double x = now().number("hitX") - 70;
+        double y = now().number("hitY");
+        assertTrue(colours((int) x, (int) y) > 20, "no picture beside the name");
+        moveTo(x, y);
+        type("click", "1");
         await("the scene to be shown", seen -> seen.is("scene", "1"));
+        type("key", "Page_Up");
+        await("the scene before", seen -> seen.is("scene", "0"));
+        click("hit");
+        await("the scene by its name", seen -> seen.is("scene", "1"));
+    }
+
+    /** How many colours there are around a place. */
+    private int colours(int x, int y) throws IOException {
+        BufferedImage screen = screen();
+        return (int)
+                IntStream.range(0, 24 * 16)
+                        .map(i -> screen.getRGB(x - 12 + i % 24, y - 8 + i / 24))
+                        .distinct()
+                        .count();
     }
 }

@@ -25,6 +25,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private static final double ROW = 24;
     private static final double LINE = 19;
     private static final double PLOT = 46;
+    private static final double PICTURE = 36;
     private static final double KNOB_INSET = 9;
     private static final int TEXT_BYTES = 1024;
 
@@ -47,11 +48,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
     /** Room for a number that Nuklear changes; an array on the heap would be wrapped each time. */
     private final long numbers = MemoryUtil.nmemAllocChecked(8);
 
-    // Nuklear keeps a pointer to the shares until the row ends, so they lie outside the heap.
-    private final long sliderColumns = shares(0.36f, 0.43f, 0.18f);
-    private final long choiceColumns = shares(0.36f, 0.61f);
-    private final long valueColumns = shares(0.58f, 0.40f);
-    private final long buttonColumns = shares(0.52f, 0.45f);
+    private final UiShares shares = new UiShares();
+    private final UiPictures pictures = new UiPictures(context);
     private final Map<String, double[]> bounds = new HashMap<>();
     private final UiSections sections = new UiSections();
     private final Map<String, FieldText> fields = new HashMap<>();
@@ -205,14 +203,6 @@ public final class NuklearUi implements Ui, AutoCloseable {
         nnk_layout_row(context.address(), NK_DYNAMIC, px(height), count, shares);
     }
 
-    private static long shares(float... values) {
-        long address = MemoryUtil.nmemAllocChecked(4L * values.length);
-        for (int i = 0; i < values.length; i++) {
-            MemoryUtil.memPutFloat(address + 4L * i, values[i]);
-        }
-        return address;
-    }
-
     private double[] remember(String label) {
         nk_widget_bounds(context, rect);
         double s = scale;
@@ -281,7 +271,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public void value(CharSequence name, CharSequence value) {
-        row(LINE, 2, valueColumns);
+        row(LINE, 2, shares.value);
         write(name, UiStyle.DIM, NK_TEXT_LEFT);
         write(value, NK_TEXT_RIGHT);
     }
@@ -317,7 +307,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public boolean valueButton(String label, CharSequence value) {
-        row(ROW, 2, buttonColumns);
+        row(ROW, 2, shares.button);
         write(label, NK_TEXT_LEFT);
         remember(label);
         return nnk_button_label(context.address(), fitted(value, BUTTON_INSET));
@@ -342,7 +332,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
             value(label, sliderText.of(label, value));
             return value;
         }
-        row(ROW, 3, sliderColumns);
+        row(ROW, 3, shares.slider);
         hint(hint);
         write(label, NK_TEXT_LEFT);
         double[] at = remember(label);
@@ -382,7 +372,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public int choice(String label, List<String> options, int selected) {
-        row(ROW, 2, choiceColumns);
+        row(ROW, 2, shares.choice);
         write(label, NK_TEXT_LEFT);
         double[] at = remember(label);
         int chosen = selected;
@@ -407,10 +397,21 @@ public final class NuklearUi implements Ui, AutoCloseable {
     @Override
     public boolean item(String label, boolean selected, String hint) {
         cell(ROW - 2);
+        return select(label, selected, hint);
+    }
+
+    private boolean select(String label, boolean selected, String hint) {
         remember(label);
         hint(hint);
         return nnk_select_label(context.address(), fitted(label, 8), NK_TEXT_LEFT, selected)
                 != selected;
+    }
+
+    @Override
+    public boolean item(String label, boolean selected, String hint, Part picture) {
+        row(PICTURE, 2, shares.picture);
+        boolean chosen = pictures.draw(picture);
+        return select(label, selected, hint) || chosen;
     }
 
     @Override
@@ -446,7 +447,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public String textField(String label, String content) {
-        row(ROW, 2, choiceColumns);
+        row(ROW, 2, shares.choice);
         write(label, NK_TEXT_LEFT);
         remember(label);
         FieldText field = fields.get(label);
@@ -484,16 +485,14 @@ public final class NuklearUi implements Ui, AutoCloseable {
         font.close();
         MemoryUtil.memAlignedFree(memory);
         MemoryUtil.nmemFree(edited);
-        MemoryUtil.nmemFree(sliderColumns);
-        MemoryUtil.nmemFree(choiceColumns);
-        MemoryUtil.nmemFree(valueColumns);
-        MemoryUtil.nmemFree(buttonColumns);
         context.free();
         rect.free();
         vector.free();
         first.free();
         cross.close();
         plots.close();
+        pictures.close();
+        shares.close();
         letters.close();
         MemoryUtil.nmemFree(numbers);
         sections.close();
