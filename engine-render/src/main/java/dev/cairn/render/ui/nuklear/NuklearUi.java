@@ -25,7 +25,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private static final double ROW = 24;
     private static final double LINE = 19;
     private static final double PLOT = 46;
-    private static final double PICTURE = 36;
+    private static final double PICTURE = 31;
     private static final double KNOB_INSET = 9;
     private static final int TEXT_BYTES = 1024;
 

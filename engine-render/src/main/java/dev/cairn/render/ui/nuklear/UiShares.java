@@ -11,7 +11,7 @@ final class UiShares implements AutoCloseable {
     final long choice = of(0.36f, 0.61f);
     final long value = of(0.58f, 0.40f);
     final long button = of(0.52f, 0.45f);
-    final long picture = of(0.25f, 0.72f);
+    final long picture = of(0.21f, 0.76f);
 
     private static long of(float... values) {
         long address = MemoryUtil.nmemAllocChecked(4L * values.length);

@@ -55,7 +55,7 @@ public final class Pile {
      * @return its entry for the registry
      */
     public static SampleScene mixed() {
-        return scene("pile-mixed", "Pile of spheres, boxes, capsules, hulls", 5, 4, Kind.MIXED);
+        return scene("pile-mixed", "Pile of mixed shapes", 5, 4, Kind.MIXED);
     }
 
     /**
@@ -64,7 +64,7 @@ public final class Pile {
      * @return its entry for the registry
      */
     public static SampleScene rounds() {
-        return scene("pile-rounds", "Pile of capsules and cylinders", 5, 4, Kind.ROUNDS);
+        return scene("pile-rounds", "Pile of capsules, cylinders", 5, 4, Kind.ROUNDS);
     }
 
     /**

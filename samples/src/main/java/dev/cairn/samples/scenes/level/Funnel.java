@@ -49,7 +49,7 @@ public final class Funnel {
     public static SampleScene scene() {
         return new SampleScene(
                 "funnel",
-                "Concave bodies through a funnel",
+                "Concave bodies in a funnel",
                 "Rings, cups and horseshoes, convex parts of meshes, are poured through a funnel.",
                 "levels",
                 List.of(
