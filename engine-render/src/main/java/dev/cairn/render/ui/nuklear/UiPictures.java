@@ -26,14 +26,13 @@ import org.lwjgl.system.MemoryUtil;
 
 import java.nio.IntBuffer;
 import java.util.IdentityHashMap;
-import java.util.Map;
 
 /**
  * Parts of pictures in the widget at hand; a sheet goes to graphics memory when it is first seen.
  */
 final class UiPictures implements AutoCloseable {
     private final NkContext context;
-    private final Map<Texture, Integer> sheets = new IdentityHashMap<>();
+    private final IdentityHashMap<Texture, Integer> sheets = new IdentityHashMap<>();
     private final NkRect rect = NkRect.calloc();
     private final NkRect part = NkRect.calloc();
     private final NkImage image = NkImage.calloc();
