@@ -117,7 +117,7 @@ public final class Thumbnails {
             for (int i : new int[] {at, at + 1, at + FINER * WIDTH, at + FINER * WIDTH + 1}) {
                 sum += fine[i] >> shift & 255;
             }
-            rgb |= sum / 4 << shift;
+            rgb |= (sum / 4) << shift;
         }
         return rgb;
     }
