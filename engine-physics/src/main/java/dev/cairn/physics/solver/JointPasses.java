@@ -51,7 +51,7 @@ final class JointPasses {
             bench.joints.account(sub);
             bench.joints.warm(index == 0 ? sub.fillScale : 1);
             show(assemblies.at(a));
-            bench.joints.sweeps(false);
+            bench.joints.presses(false);
         }
     }
 
@@ -60,8 +60,9 @@ final class JointPasses {
         for (int a = from; a < to; a++) {
             takeOver(assemblies.at(a));
             open(sub, a, bench);
-            bench.joints.sweeps(true);
+            bench.joints.presses(true);
             if (assemblies.at(a).isTaut()) {
+                bench.joints.moves(0.5);
                 bench.swing.cross(tick, sub, assemblies.store, assemblies.at(a));
             } else {
                 bench.joints.position(sub, rows);

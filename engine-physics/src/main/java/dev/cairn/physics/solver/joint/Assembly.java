@@ -1,5 +1,7 @@
 package dev.cairn.physics.solver.joint;
 
+import dev.cairn.physics.solver.body.SolverBodies;
+
 import java.util.Arrays;
 
 /**
@@ -49,6 +51,9 @@ public final class Assembly {
     /** By row: its derivatives, {@link JointMath#JACOBIAN} each, in world axes. */
     final double[] derivative;
 
+    /** By joint: B's origin from B's centre in the poses of these, m. */
+    final double[] arm;
+
     /**
      * The same for scaled velocities: {@code e/sqrt(m), L^T t} of A, then of B. What it measured
      * with them, and after the movement.
@@ -97,6 +102,9 @@ public final class Assembly {
     double energy;
 
     double pushed;
+
+    /** By body: what contacts have given to it before it was moved, {@link SolverBodies#HALF}. */
+    final double[] press;
 
     /** Where bodies are at the end of a sub-step that was cut, and room beside it. */
     final double[] carried;
@@ -211,6 +219,7 @@ public final class Assembly {
                         : new ConjugateGradients(body.length, end, firstRow);
         system = isDirect ? factors : gradients;
         derivative = new double[JointMath.JACOBIAN * n];
+        arm = new double[3 * joint.length];
         scaled = new double[JointMath.JACOBIAN * n];
         pivot = new double[n];
         start = new double[n];
@@ -224,5 +233,6 @@ public final class Assembly {
         carried = new double[CARRIED * body.length];
         taut = new double[9 * body.length];
         kept = new double[KEPT * body.length];
+        press = new double[SolverBodies.HALF * body.length];
     }
 }

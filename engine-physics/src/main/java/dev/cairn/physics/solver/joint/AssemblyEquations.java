@@ -47,6 +47,7 @@ abstract class AssemblyEquations {
             int j = s.joint[k];
             math.look(tick.bodies, tick.body.state, store, j, offset(k, 0), offset(k, 1));
             math.advance(store, j);
+            System.arraycopy(math.armB, 0, s.arm, 3 * k, 3);
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = store.firstRow[j] + r - s.firstRow[k];
                 s.start[r] = math.measure(store, j, store.law[row]);
@@ -271,6 +272,21 @@ abstract class AssemblyEquations {
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 set(k, r, 0);
+            }
+        }
+    }
+
+    /**
+     * Adds the forces that the impulses of a half stand for to those of its joints, in the poses in
+     * which its rows were derived: those of the halves lie about the middle of the sub-step.
+     */
+    void react() {
+        for (int k = 0; k < s.joint.length; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                int row = JointMath.JACOBIAN * r;
+                double force = s.impulse[r] / h;
+                int at = 6 * s.joint[k];
+                JointMath.react(s.derivative, row, force, s.arm, 3 * k, store.reaction, at);
             }
         }
     }

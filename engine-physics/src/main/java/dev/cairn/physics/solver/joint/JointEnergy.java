@@ -8,8 +8,8 @@ import dev.cairn.physics.solver.body.SolverContext;
 /**
  * Locks and limits do no work: an assembly never has more energy than was put into it.
  *
- * <p>With K the energy of motion, U that of place in gravity and constant forces, and W what
- * contacts have added to K by their impulses, each sub-step enters
+ * <p>With K the energy of motion, U that of place in gravity and constant forces, and W the work of
+ * contacts, each sub-step enters
  *
  * <pre>
  * a' = max(a + (K' + U') - (K + U) - max(0, W), -CREDIT k)
@@ -26,6 +26,11 @@ import dev.cairn.physics.solver.body.SolverContext;
  * <p>with u the motion as one rigid body of what floats and touches nothing, and 0 otherwise. Rows
  * see nothing of u, and of the rest they see the same as before, 0; momentum and angular momentum
  * stay.
+ *
+ * <p>A sub-step goes from v to v' before bodies are moved by {@code h v'}, and to v" after. An impulse
+ * p of a contact has done {@code W = p.v'} of work if it came before the movement, whatever it did to
+ * K, and what it adds to K if it came after: an overlap that is pushed out without speed lifts what
+ * lies there by W, and joints have no part in it.
  *
  * <p>Assemblies with motors, springs, torques or a kinematic partner are given energy and have no
  * account. One worker at a time. Does not allocate. Source: own study.
@@ -107,7 +112,8 @@ final class JointEnergy {
         double[] g = tick.gravity;
         double before = 0;
         double kicked = 0;
-        for (int i : s.body) {
+        for (int n = 0; n < s.body.length; n++) {
+            int i = s.body[n];
             int o = SolverBodies.offset(i);
             int w = (i + 1) * SolverBodies.HALF;
             double m = v[o + SolverBodies.MASS];
@@ -119,13 +125,46 @@ final class JointEnergy {
                 double weight = c > 2 ? 1 : m > 0 ? 1 / m : 0;
                 kicked += weight * free * free;
                 before += weight * (free - a) * (free - a);
+                s.press[SolverBodies.HALF * n + c] = tick.body.warm[w + c];
             }
         }
         s.energy = 0.5 * before + potential(tick, s);
         s.pushed = kinetic(tick, s) - 0.5 * kicked;
     }
 
-    /** Sweeps of contacts begin, or end. */
+    /** Sweeps of contacts before bodies are moved begin, or end. */
+    static void presses(SolverContext tick, Assembly s, boolean end) {
+        sweeps(tick, s, end);
+        double[] v = tick.body.state;
+        for (int n = 0; n < s.body.length; n++) {
+            int o = SolverBodies.offset(s.body[n]);
+            for (int c = 0; c < 6; c++) {
+                s.press[SolverBodies.HALF * n + c] += end ? v[o + c] : -v[o + c];
+            }
+        }
+    }
+
+    /**
+     * Bodies will be moved with the velocities of now: what contacts have done to them so far.
+     *
+     * @param back share of what they gave that was not there yet while bodies moved
+     */
+    static void moves(SolverContext tick, Assembly s, double back) {
+        double[] v = tick.body.state;
+        double work = 0;
+        for (int n = 0; n < s.body.length; n++) {
+            int o = SolverBodies.offset(s.body[n]);
+            double m = v[o + SolverBodies.MASS];
+            for (int c = 0; c < 6; c++) {
+                double p = s.press[SolverBodies.HALF * n + c];
+                double weight = c > 2 ? 1 : m > 0 ? 1 / m : 0;
+                work += weight * p * (v[o + c] - back * p);
+            }
+        }
+        s.pushed = Math.max(s.pushed, work);
+    }
+
+    /** Sweeps of contacts after that begin, or end. */
     static void sweeps(SolverContext tick, Assembly s, boolean end) {
         double k = kinetic(tick, s);
         s.pushed += end ? k : -k;
@@ -145,6 +184,8 @@ final class JointEnergy {
         if (excess > 0 && k > 0) {
             boolean floats = !touches && !s.isGrounded;
             s.account -= floats ? inner.cut(tick, s, excess, k) : cut(tick, s, excess, k);
+            // what has come to a stand on something owes nothing: it could never move again
+            s.account = touches && excess > k ? ALLOWED * s.level : s.account;
         }
     }
 

@@ -282,16 +282,20 @@ public final class JointMath {
         }
     }
 
-    /** Adds force and torque at B's origin of an impulse of a row to a sum of six. */
-    void react(double[] d, int o, double impulse, double[] sum, int at) {
-        double[] r = armB;
+    /**
+     * Adds force and torque at B's origin of an impulse of a row to a sum of six.
+     *
+     * @param arm B's origin from B's centre at {@code a}, m, world axes
+     */
+    static void react(
+            double[] d, int o, double impulse, double[] arm, int a, double[] sum, int at) {
         for (int k = 0; k < 3; k++) {
             sum[at + k] += impulse * d[o + 6 + k];
             sum[at + 3 + k] += impulse * d[o + 9 + k];
         }
-        sum[at + 3] -= impulse * (r[1] * d[o + 8] - r[2] * d[o + 7]);
-        sum[at + 4] -= impulse * (r[2] * d[o + 6] - r[0] * d[o + 8]);
-        sum[at + 5] -= impulse * (r[0] * d[o + 7] - r[1] * d[o + 6]);
+        sum[at + 3] -= impulse * (arm[a + 1] * d[o + 8] - arm[a + 2] * d[o + 7]);
+        sum[at + 4] -= impulse * (arm[a + 2] * d[o + 6] - arm[a] * d[o + 8]);
+        sum[at + 5] -= impulse * (arm[a] * d[o + 7] - arm[a + 1] * d[o + 6]);
     }
 
     private static double dot(double[] a, int i, double[] b, int j) {

@@ -1,6 +1,7 @@
 package dev.cairn.physics.solver.joint;
 
 import dev.cairn.physics.internal.JointStore;
+import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
 import dev.cairn.physics.solver.row.ConstraintRows;
@@ -241,15 +242,47 @@ public final class JointSolve extends PositionTrial {
      * @param rows of the contacts
      */
     public void position(SubStep sub, ConstraintRows rows) {
+        share(tick.weight() * sub.seconds);
         position(sub.seconds, false);
         if (misses(rows, sub, true)) {
-            sweeps(false);
+            presses(false);
             rest();
             carry(rows, sub, true);
             isHeld = true;
             position(sub.seconds, false);
             isHeld = false;
-            sweeps(true);
+            presses(true);
+        }
+        moves(0);
+    }
+
+    /**
+     * Where contacts bear a load, and none of them a blow, all bodies move as those that are loaded:
+     * {@code x' = x + h v'}, with the velocity that holds at the sub-step's end, not along the
+     * parabola. What hangs on the others would else fall by {@code g h/2} in the first half and be
+     * caught in the second, and contacts be asked for two loads in turn, of which they begin with the
+     * wrong one each time.
+     */
+    private void share(double weight) {
+        double[] v = tick.body.state;
+        double[] warm = tick.body.warm;
+        double[] mark = tick.body.mark;
+        boolean isLoaded = false;
+        for (int i : s.body) {
+            int o = SolverBodies.offset(i);
+            int w = (i + 1) * SolverBodies.HALF;
+            double x = v[o] - mark[w];
+            double y = v[o + 1] - mark[w + 1];
+            double z = v[o + 2] - mark[w + 2];
+            if (!(SolverBodies.norm(x, y, z) <= weight)) {
+                return; // the sweeps have changed more than a load would in a sub-step
+            }
+            boolean bears = warm[w] != 0 || warm[w + 1] != 0 || warm[w + 2] != 0;
+            isLoaded |= bears && v[o + SolverBodies.LOADED] != 0;
+        }
+        for (int i : s.body) {
+            int o = SolverBodies.offset(i);
+            v[o + SolverBodies.LOADED] = isLoaded ? 1 : v[o + SolverBodies.LOADED];
         }
     }
 
@@ -260,6 +293,7 @@ public final class JointSolve extends PositionTrial {
         }
         relieve(true);
         for (int k = 0; k < s.joint.length; k++) {
+            Arrays.fill(store.reaction, 6 * s.joint[k], 6 * s.joint[k] + 6, 0.0);
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = row(k, r);
                 store.before[row] = s.impulse[r];
@@ -268,6 +302,7 @@ public final class JointSolve extends PositionTrial {
                 }
             }
         }
+        react();
     }
 
     /** Half of the spring again; of a damper that would turn the motion round, less. */

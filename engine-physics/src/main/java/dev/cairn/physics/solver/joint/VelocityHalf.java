@@ -4,8 +4,6 @@ import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.SubStep;
 
-import java.util.Arrays;
-
 /**
  * The velocity half of a sub-step: after the bodies have moved, joints are closed aside and what
  * they do not allow is taken from the velocities, {@code J(x') v = 0}.
@@ -17,6 +15,24 @@ abstract class VelocityHalf extends JointWork {
     public void sweeps(boolean end) {
         if (s.keeps) {
             JointEnergy.sweeps(tick, s, end);
+        }
+    }
+
+    /** The same before bodies are moved. */
+    public void presses(boolean end) {
+        if (s.keeps) {
+            JointEnergy.presses(tick, s, end);
+        }
+    }
+
+    /**
+     * The bodies will be moved.
+     *
+     * @param back share of contacts' impulses that was not there yet while they moved
+     */
+    public void moves(double back) {
+        if (s.keeps) {
+            JointEnergy.moves(tick, s, back);
         }
     }
 
@@ -119,15 +135,10 @@ abstract class VelocityHalf extends JointWork {
     /** Keeps impulses, and the forces that they stand for. */
     private void end() {
         for (int k = 0; k < s.joint.length; k++) {
-            int j = s.joint[k];
-            math.look(tick.bodies, tick.body.state, store, j, offset(k, 0), offset(k, 1));
-            Arrays.fill(store.reaction, 6 * j, 6 * j + 6, 0.0);
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                int row = row(k, r);
-                store.after[row] = s.impulse[r];
-                double force = (store.before[row] + store.after[row]) / h;
-                math.react(s.derivative, JointMath.JACOBIAN * r, force, store.reaction, 6 * j);
+                store.after[row(k, r)] = s.impulse[r];
             }
         }
+        react();
     }
 }
