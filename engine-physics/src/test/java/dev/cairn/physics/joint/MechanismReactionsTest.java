@@ -126,8 +126,7 @@ final class MechanismReactionsTest {
             JointRef motor = world.add(driven.motor(SPEED, Double.POSITIVE_INFINITY));
             JointRef pin = world.add(hinge(crank.body, rod.body, 0, r));
             JointRef wrist = world.add(hinge(rod.body, slider, x, 0));
-            JointRef rail =
-                    world.add(Joint.slider(base, slider).at(x, 0, 0).axis(1, 0, 0));
+            JointRef rail = world.add(Joint.slider(base, slider).at(x, 0, 0).axis(1, 0, 0));
             Worst place = new Worst();
             Worst force = new Worst();
             Worst torque = new Worst();
@@ -181,8 +180,8 @@ final class MechanismReactionsTest {
     }
 
     /**
-     * {@code r u + l e = d + L f} with u, e, f along crank, coupler and rocker at angles a, b, c; its
-     * derivatives dotted with e and f give the rates and accelerations of b and c.
+     * {@code r u + l e = d + L f} with u, e, f along crank, coupler and rocker at angles a, b, c;
+     * its derivatives dotted with e and f give the rates and accelerations of b and c.
      */
     @Test
     void fourBar() {

@@ -27,10 +27,10 @@ import dev.cairn.physics.solver.body.SolverContext;
  * see nothing of u, and of the rest they see the same as before, 0; momentum and angular momentum
  * stay.
  *
- * <p>A sub-step goes from v to v' before bodies are moved by {@code h v'}, and to v" after. An impulse
- * p of a contact has done {@code W = p.v'} of work if it came before the movement, whatever it did to
- * K, and what it adds to K if it came after: an overlap that is pushed out without speed lifts what
- * lies there by W, and joints have no part in it.
+ * <p>A sub-step goes from v to v' before bodies are moved by {@code h v'}, and to v" after. An
+ * impulse p of a contact has done {@code W = p.v'} of work if it came before the movement, whatever
+ * it did to K, and what it adds to K if it came after: an overlap that is pushed out without speed
+ * lifts what lies there by W, and joints have no part in it.
  *
  * <p>Assemblies with motors, springs, torques or a kinematic partner are given energy and have no
  * account. One worker at a time. Does not allocate. Source: own study.

@@ -257,11 +257,11 @@ public final class JointSolve extends PositionTrial {
     }
 
     /**
-     * Where contacts bear a load, and none of them a blow, all bodies move as those that are loaded:
-     * {@code x' = x + h v'}, with the velocity that holds at the sub-step's end, not along the
-     * parabola. What hangs on the others would else fall by {@code g h/2} in the first half and be
-     * caught in the second, and contacts be asked for two loads in turn, of which they begin with the
-     * wrong one each time.
+     * Where contacts bear a load, and none of them a blow, all bodies move as those that are
+     * loaded: {@code x' = x + h v'}, with the velocity that holds at the sub-step's end, not along
+     * the parabola. What hangs on the others would else fall by {@code g h/2} in the first half and
+     * be caught in the second, and contacts be asked for two loads in turn, of which they begin
+     * with the wrong one each time.
      */
     private void share(double weight) {
         double[] v = tick.body.state;
