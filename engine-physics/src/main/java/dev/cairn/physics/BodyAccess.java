@@ -299,9 +299,12 @@ final class BodyAccess {
         }
     }
 
-    /** What pushes a wall in vain is a mistake: of another body, or of its type. */
+    /**
+     * What pushes a wall in vain is a mistake: of another body, or of its type. Who pushes a body
+     * that the world has stopped made none; that is told by {@code quarantined()}.
+     */
     void needsDynamic(int s, String call) {
-        if (type(s) != BodyType.DYNAMIC) {
+        if (type(s) != BodyType.DYNAMIC && !table.isQuarantined(s)) {
             throw new IllegalStateException(
                     table.refs[s]
                             + " is "

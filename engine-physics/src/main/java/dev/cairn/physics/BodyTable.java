@@ -386,6 +386,10 @@ final class BodyTable implements Stateful {
         quarantined.remove(refs[slot]);
     }
 
+    boolean isQuarantined(int slot) {
+        return quarantined.contains(refs[slot]);
+    }
+
     /** Those that are still there, in the order in which they were quarantined. */
     List<BodyRef> quarantined() {
         quarantined.removeIf(ref -> !ref.isAlive());

@@ -9,7 +9,8 @@ import org.joml.Vector3dc;
  *
  * <p>Forces and torques add up and act over the whole next step, then are cleared; impulses act at
  * once. On a body that is fixed or kinematic, which none of them moves, they throw {@link
- * IllegalStateException}. Simulation thread, between steps. Does not allocate.
+ * IllegalStateException}; on one that the world has stopped, see {@code quarantined()}, they have
+ * no effect. Simulation thread, between steps. Does not allocate.
  */
 public interface Pushed {
     /**

@@ -6,9 +6,10 @@ import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.Sleepers;
 
 /**
- * Forces, torques and impulses that users give bodies, by slot; the slot is that of a dynamic body.
- * Forces and torques are summed until the next step, impulses act at once: {@code v += j/m, w +=
- * I⁻¹ l}. Simulation thread, between steps; makes no garbage.
+ * Forces, torques and impulses that users give bodies, by slot; the slot is alive. Forces and
+ * torques are summed until the next step, impulses act at once: {@code v += j/m, w += I⁻¹ l}. What
+ * does not move takes none: a body that the world has stopped. Simulation thread, between steps;
+ * makes no garbage.
  */
 public final class Pushes {
     private final BodyStore bodies;
@@ -19,6 +20,10 @@ public final class Pushes {
     public Pushes(BodyRegistry registry) {
         bodies = registry.bodies;
         sleepers = registry.sleepers;
+    }
+
+    private boolean isUnmoved(int s) {
+        return bodies.kind[s] == BodyStore.STATIC || bodies.kind[s] == BodyStore.KINEMATIC;
     }
 
     /** What changes nothing wakes nobody. */
@@ -33,6 +38,9 @@ public final class Pushes {
         Checks.finite("fx", fx);
         Checks.finite("fy", fy);
         Checks.finite("fz", fz);
+        if (isUnmoved(s)) {
+            return;
+        }
         wakeUnlessZero(s, fx, fy, fz);
         bodies.forceX[s] += fx;
         bodies.forceY[s] += fy;
@@ -46,6 +54,9 @@ public final class Pushes {
         Checks.finite("py", py);
         Checks.finite("pz", pz);
         applyForce(s, fx, fy, fz);
+        if (isUnmoved(s)) {
+            return;
+        }
         double rx = px - bodies.positionX[s];
         double ry = py - bodies.positionY[s];
         double rz = pz - bodies.positionZ[s];
@@ -59,6 +70,9 @@ public final class Pushes {
         Checks.finite("tx", tx);
         Checks.finite("ty", ty);
         Checks.finite("tz", tz);
+        if (isUnmoved(s)) {
+            return;
+        }
         wakeUnlessZero(s, tx, ty, tz);
         bodies.torqueX[s] += tx;
         bodies.torqueY[s] += ty;
@@ -99,6 +113,9 @@ public final class Pushes {
 
     /** w += R I⁻¹ Rᵀ l. */
     private void turn(int s, double lx, double ly, double lz) {
+        if (isUnmoved(s)) {
+            return;
+        }
         wakeUnlessZero(s, lx, ly, lz);
         double qx = bodies.orientationX[s];
         double qy = bodies.orientationY[s];

@@ -276,9 +276,9 @@ class ChangesWakeTest {
         nobody("the same damping", (bed, b) -> b.setDamping(0, 0));
         nobody("the same limit", (bed, b) -> b.setSpeedLimit(Double.POSITIVE_INFINITY));
         nobody("the same locks", (bed, b) -> b.setLocks());
-        nobody("no force", (bed, b) -> b.applyForce(0, 0, 0));
-        nobody("no torque", (bed, b) -> b.applyTorque(0, 0, 0));
-        nobody("no impulse", (bed, b) -> b.applyImpulse(0, 0, 0));
+        awake("no force", "", bed -> bed.upper.applyForce(0, 0, 0));
+        awake("no torque", "", bed -> bed.upper.applyTorque(0, 0, 0));
+        awake("no impulse", "", bed -> bed.upper.applyImpulse(0, 0, 0));
         awake("no velocity", "", bed -> bed.upper.setVelocity(0, 0, 0));
         awake("no velocity of a table", "", bed -> bed.kinematic.setVelocity(0, 0, 0));
         awake("the pose that it has", "", bed -> bed.kinematic.moveTo(10, .5, 0));
@@ -286,9 +286,6 @@ class ChangesWakeTest {
         nobodyOnTables("damping", (bed, b) -> b.setDamping(any(.1, 1), any(.1, 1)));
         nobodyOnTables("speed limit", (bed, b) -> b.setSpeedLimit(any(1, 2)));
         nobodyOnTables("locks", (bed, b) -> b.setLocks(Lock.MOVE_Y));
-        nobodyOnTables("force", (bed, b) -> b.applyForce(1, 0, 0));
-        nobodyOnTables("torque", (bed, b) -> b.applyTorque(1, 0, 0));
-        nobodyOnTables("impulse", (bed, b) -> b.applyImpulse(1, 0, 0));
         awake(
                 "a body far away",
                 "",

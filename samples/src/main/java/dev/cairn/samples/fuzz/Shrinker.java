@@ -90,7 +90,7 @@ final class Shrinker {
             m = entity(i).material();
             attempt(least.with(i, entity(i).withMaterial(m.withRestitution(0), entity(i).mass())));
             if (!(entity(i).shape() instanceof ShapeSpec.BoxShape)
-                    && !(entity(i).shape() instanceof ShapeSpec.GroundShape)) {
+                    && Double.isFinite(Extent.outer(entity(i).shape()))) {
                 ShapeSpec shape = entity(i).shape();
                 double thin = Extent.inner(shape);
                 double size = Extent.outer(shape);

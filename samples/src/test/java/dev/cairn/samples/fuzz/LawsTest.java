@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.samples.scenefile.SceneReader;
 import dev.cairn.samples.scenefile.SceneWriter;
+import dev.cairn.samples.scenefile.ShapeSpec;
 
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -131,6 +132,26 @@ final class LawsTest {
         FuzzWorld least = Shrinker.shrink(fuzz, breach);
         assertEquals(1, least.movers());
         assertTrue(Laws.broken(least, false).containsKey(Law.WALLS));
+    }
+
+    /** A level has no size that a box could have in its place. */
+    @Test
+    void whatStandsOnALevelIsMadeSmallToo() {
+        int tried = 0;
+        for (int i = 0; tried < 5; i++) {
+            FuzzWorld fuzz = WorldGenerator.world(SEED, i, Family.MACHINE);
+            boolean isOnALevel =
+                    fuzz.scene().entities().stream()
+                            .anyMatch(e ->
+                                    Double.isInfinite(Extent.outer(e.shape()))
+                                            && !(e.shape() instanceof ShapeSpec.GroundShape));
+            if (isOnALevel) {
+                tried++;
+                Breach breach = new Breach(Law.GAP, 1, 2, "");
+                FuzzWorld least = Shrinker.shrink(fuzz.lasting(2, 1), breach);
+                assertTrue(least.scene().entities().size() <= fuzz.scene().entities().size());
+            }
+        }
     }
 
     private static FuzzWorld worldOfMany() {
