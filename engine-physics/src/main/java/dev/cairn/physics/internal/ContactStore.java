@@ -248,7 +248,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         if (capacity <= bodyA.length) {
             return;
         }
-        int n = Math.max(capacity, Math.max(64, bodyA.length + (bodyA.length >> 1)));
+        int n = Math.max(capacity, Math.max(64, 2 * bodyA.length));
         columns(new Columns.Growth(n));
     }
 

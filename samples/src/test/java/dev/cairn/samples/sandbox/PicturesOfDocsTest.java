@@ -2,6 +2,9 @@ package dev.cairn.samples.sandbox;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.cairn.render.app.View;
+import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.SceneRegistry;
 import dev.cairn.samples.window.WindowFixture;
 
 import org.junit.jupiter.api.Test;
@@ -17,7 +20,7 @@ import java.util.Map;
 class PicturesOfDocsTest extends WindowFixture {
     @Override
     public Class<?> program() {
-        return PicturesProbe.class;
+        return Probe.class;
     }
 
     @Override
@@ -81,5 +84,44 @@ class PicturesOfDocsTest extends WindowFixture {
         assertEquals(0, now().number("shortened"), name + ": " + last);
         assertEquals(0, now().number("overlapping"), name + ": " + last);
         look(name);
+    }
+
+    /** The sandbox as a user finds it. */
+    static final class Probe extends Sandbox {
+        private static final List<String> PLACES =
+                List.of("Keys", "rise", "Edit a copy", "box", "name");
+
+        private Probe(String scene) {
+            super(SceneRegistry.all(), Map.of(), 1, 4, false, System.err);
+            beginWith(SceneRegistry.get(scene));
+        }
+
+        /**
+         * Runs until the window is closed.
+         *
+         * @param arguments the scene to begin with
+         */
+        public static void main(String[] arguments) {
+            new Probe(arguments[0]).size(1100, 700).start();
+        }
+
+        @Override
+        void shown(Ui ui, View view, SandboxState state) {
+            StringBuilder line =
+                    new StringBuilder(
+                            "frame=%d tick=%d paused=%b pulling=%b uiScale=1 shortened=%d overlapping=%d"
+                                    .formatted(
+                                            view.frames(),
+                                            state.tick,
+                                            isPaused(),
+                                            state.pulling,
+                                            ui.shortened(),
+                                            ui.overlapping()));
+            for (String label : PLACES) {
+                line.append(WindowFixture.middle(ui, label));
+            }
+            System.out.println(line);
+            System.out.flush();
+        }
     }
 }

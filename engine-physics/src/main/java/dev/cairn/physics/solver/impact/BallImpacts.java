@@ -103,6 +103,7 @@ public final class BallImpacts {
             int bouncersEnd,
             double subStep,
             double restitutionThreshold) {
+        turned.ensureCapacity(constraintRows.list.source.length);
         rows = constraintRows;
         bodies = tick.body;
         store = tick.bodies;
@@ -400,7 +401,7 @@ public final class BallImpacts {
         contacts.setAnchors(p, ra * x, ra * y, ra * z, -rb * x, -rb * y, -rb * z);
         boolean again = d[o + SUM * lanes] != 0;
         if (again) {
-            turned.takeOut(rows, row, d, o, lanes);
+            turned.takeOut(row, d, o, lanes);
         }
         PrepareRow.aim(look, bodies, contacts, place, source);
         if (again) {

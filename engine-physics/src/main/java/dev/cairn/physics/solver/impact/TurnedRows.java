@@ -40,11 +40,15 @@ final class TurnedRows {
 
     private final double[] friction = new double[3];
 
-    /** Before the row, which lies at {@code d[o]}, is turned. */
-    void takeOut(ConstraintRows rows, int turned, double[] d, int o, int lanes) {
-        if (indexOf.length < rows.list.source.length) {
-            indexOf = Arrays.copyOf(indexOf, rows.list.source.length);
+    /** Makes room for all rows, in the tick in which they get theirs: who is turned comes late. */
+    void ensureCapacity(int rows) {
+        if (indexOf.length < rows) {
+            indexOf = Arrays.copyOf(indexOf, rows);
         }
+    }
+
+    /** Before the row, which lies at {@code d[o]}, is turned. */
+    void takeOut(int turned, double[] d, int o, int lanes) {
         if (indexOf[turned] == 0) {
             if (count == row.length) {
                 row = Arrays.copyOf(row, 2 * count);
