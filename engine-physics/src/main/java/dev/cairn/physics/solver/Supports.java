@@ -87,15 +87,15 @@ final class Supports {
     /** Also on one that stands still: it may start in any tick. */
     private boolean standsOnKinematic(SolverContext t) {
         BodyStore b = t.bodies;
-        boolean any = false;
         // a world that never had one has no room for their ramps
-        for (int m = 0; b.ramp.length > 0 && !any && m < list.contacts; m++) {
+        for (int m = 0; b.ramp.length > 0 && m < list.contacts; m++) {
             int row = list.source[m];
-            any =
-                    b.kind[t.contacts.bodyA[row]] == BodyStore.KINEMATIC
-                            || b.kind[t.contacts.bodyB[row]] == BodyStore.KINEMATIC;
+            if (b.kind[t.contacts.bodyA[row]] == BodyStore.KINEMATIC
+                    || b.kind[t.contacts.bodyB[row]] == BodyStore.KINEMATIC) {
+                return true;
+            }
         }
-        return any;
+        return false;
     }
 
     private void findStart(SolverContext t, boolean weighs) {

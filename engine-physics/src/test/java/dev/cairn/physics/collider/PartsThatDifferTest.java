@@ -101,19 +101,21 @@ class PartsThatDifferTest {
         List<double[]> byHook =
                 way(
                         brick(),
-                        world ->
-                                world.collisions()
-                                        .setHook(contact -> {
-                                            if ("left".equals(contact.userDataA())
-                                                    || "left".equals(contact.userDataB())) {
-                                                contact.disable();
-                                            }
-                                        }),
+                        world -> world.collisions().setHook(ofLeft(ContactHook.Change::disable)),
                         PartsThatDifferTest::none);
         double[] end = byFilter.get(59);
         assertTrue(end[3] > .2, "it turns over its middle: " + end[3]);
         assertSame(byFilter, byQuestion, "question");
         assertSame(byFilter, byHook, "hook");
+    }
+
+    /** Changes the contacts of the left half. */
+    private static ContactHook ofLeft(ContactHook change) {
+        return contact -> {
+            if ("left".equals(contact.userDataA()) || "left".equals(contact.userDataB())) {
+                change.change(contact);
+            }
+        };
     }
 
     /** With friction .4 and .1 under its halves it turns as it slides, and goes on to do so. */
@@ -132,12 +134,7 @@ class PartsThatDifferTest {
                         brick(),
                         world ->
                                 world.collisions()
-                                        .setHook(contact -> {
-                                            if ("left".equals(contact.userDataA())
-                                                    || "left".equals(contact.userDataB())) {
-                                                contact.surface(mixed, 0);
-                                            }
-                                        }),
+                                        .setHook(ofLeft(contact -> contact.surface(mixed, 0))),
                         push);
         assertEquals(0, alike.get(59)[4], 1e-7, "as a whole it slides straight");
         assertTrue(Math.abs(byMaterial.get(59)[4]) > .05, "turn " + byMaterial.get(59)[4]);

@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class ContactHookTest {
     /** Solid for what comes from above: once it stood on it, or has not yet sunk in. */
-    private static final ContactHook ONE_WAY =
+    static final ContactHook ONE_WAY =
             contact -> {
                 boolean first = "one-way".equals(contact.userDataA());
                 if (!first && !"one-way".equals(contact.userDataB())) {

@@ -7,7 +7,6 @@ import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Collider;
 import dev.cairn.physics.PhysicsWorld;
-import dev.cairn.physics.collider.ContactHook;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;
@@ -28,20 +27,6 @@ import java.util.SplittableRandom;
 class OneWayTest {
     private static final long SEED = 25;
     private static final int TICKS = 120;
-
-    private static final ContactHook ONE_WAY =
-            contact -> {
-                boolean first = "one-way".equals(contact.userDataA());
-                if (!first && !"one-way".equals(contact.userDataB())) {
-                    return;
-                }
-                double up = first ? contact.normalY() : -contact.normalY();
-                boolean stands = contact.memory() == 1 || contact.separation() > -.005;
-                contact.remember(up > .7 && stands ? 1 : 0);
-                if (!(up > .7 && stands)) {
-                    contact.disable();
-                }
-            };
 
     private static Body body(SplittableRandom r) {
         Body body = Body.dynamic();
@@ -83,7 +68,7 @@ class OneWayTest {
             double speed = round % 3 == 0 ? r.nextDouble(2, 100) : r.nextDouble(2, 12);
             String what = "seed " + SEED + ", round " + round + ", " + speed + " m/s";
             try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
-                world.collisions().setHook(ONE_WAY);
+                world.collisions().setHook(ContactHookTest.ONE_WAY);
                 Collider plank = Collider.of(Box.ofHalfExtents(9, .05, 9)).at(0, -.05, 0);
                 world.add(Body.fixed().collider(plank.userData("one-way")));
                 double early = r.nextDouble(2, 4);
