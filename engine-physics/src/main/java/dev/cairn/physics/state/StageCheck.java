@@ -84,6 +84,13 @@ public final class StageCheck {
             if (c.active[i] >= c.count || (i > 0 && c.active[i] <= c.active[i - 1])) {
                 throw new AssertionError("row " + c.active[i] + " at active place " + i);
             }
+            int row = c.active[i];
+            if (bodies.kind[c.bodyA[row]] != BodyStore.DYNAMIC
+                    && bodies.kind[c.bodyB[row]] != BodyStore.DYNAMIC
+                    && !broadPhase.moved(c.colliderA[row])
+                    && !broadPhase.moved(c.colliderB[row])) {
+                throw new AssertionError("row " + row + " is active, and nobody of it is awake");
+            }
         }
         return true;
     }
