@@ -130,7 +130,7 @@ public final class ManifoldStage {
         recycler.use(rows, stepSeconds);
         roundRows.use(rows, bounds, reach, bounds.speculativeFraction);
         if (rows.grouped) {
-            surfaces.run(rows, reach, jobs);
+            surfaces.run(rows, stepSeconds, reach, jobs);
         }
         kinds.sort(rows, reach, jobs);
         int round = kinds.begin(PairKinds.ROUND);

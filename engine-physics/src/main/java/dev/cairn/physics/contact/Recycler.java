@@ -14,16 +14,11 @@ import dev.cairn.physics.shape.polyhedron.Polyhedron;
 /**
  * Renews the points of pairs of boxes that have hardly moved since they were collided, without
  * colliding them again. Let the reference be the box whose face carries the contact (or separates
- * the pair), the incident box the other one. Seen from the reference, no point of the incident box
- * has moved by more than
- *
- * <pre>|de| + 2 |dq| R &lt;= sqrt(2 (|de|^2 + 4 |dq|^2 R^2))</pre>
- *
- * where e is its centre, q its orientation (a unit quaternion, turned by 2 asin|sin| of at most 2
- * |dq|) and R its outer radius. Up to {@link #SHARE} of the smaller inner radius the same points of
- * the incident box are the contact still: their separations from the face, and the normal, are
- * those of the present poses. A pair that is apart stays so while it has moved by less than its
- * distance exceeds the margin.
+ * the pair), the incident box the other one. Seen from the reference, the incident box has moved by
+ * at most what {@link KeptPose} tells. Up to {@link #SHARE} of the smaller inner radius the same
+ * points of the incident box are the contact still: their separations from the face, and the
+ * normal, are those of the present poses. A pair that is apart stays so while it has moved by less
+ * than its distance exceeds the margin.
  *
  * <p>With d the true signed distance when the pair was collided, d' the one now, s and s' the least
  * separations of the points: |d' - d| and |s' - s| are each at most the move, so the reported depth
@@ -37,26 +32,20 @@ final class Recycler {
 
     // What is kept of a row, from ContactStore.keptAt on ------------------------------------------
 
-    /** Orientation of the incident box seen from the reference, four numbers. */
-    private static final int TURN = 0;
-
-    /** Centre of the incident box in the reference's axes, m, three numbers. */
-    private static final int CENTRE = 4;
+    /** The incident box seen from the reference. */
+    static final int POSE = 0;
 
     /** Distance of the face's plane from the centre of the reference, m. */
-    private static final int PLANE = 7;
-
-    /** 4 R squared, R the outer radius of the incident box, m2. */
-    private static final int SPIN = 8;
+    private static final int PLANE = KeptPose.SIZE;
 
     /** The square of the allowed move, m2. */
-    private static final int LIMIT = 9;
+    static final int LIMIT = 9;
 
     /** The separation up to which nothing is left out, m. */
-    private static final int GAP = 10;
+    static final int GAP = 10;
 
     /** The points on the incident box in its axes, m, three numbers each. */
-    private static final int POINT = ContactStore.KEPT_POINT;
+    static final int POINT = ContactStore.KEPT_POINT;
 
     private final ColliderStore colliders;
     private final BodyStore bodies;
@@ -100,32 +89,7 @@ final class Recycler {
         boolean flip = flip(row);
         int r = flip ? c.colliderB[row] : c.colliderA[row];
         int i = flip ? c.colliderA[row] : c.colliderB[row];
-        double rx = s.orientationX[r];
-        double ry = s.orientationY[r];
-        double rz = s.orientationZ[r];
-        double rw = s.orientationW[r];
-        double ix = s.orientationX[i];
-        double iy = s.orientationY[i];
-        double iz = s.orientationZ[i];
-        double iw = s.orientationW[i];
-        double ex = s.apartX(r, i);
-        double ey = s.apartY(r, i);
-        double ez = s.apartZ(r, i);
-        double qx = rw * ix - rx * iw - ry * iz + rz * iy - k[at + TURN];
-        double qy = rw * iy - ry * iw - rz * ix + rx * iz - k[at + TURN + 1];
-        double qz = rw * iz - rz * iw - rx * iy + ry * ix - k[at + TURN + 2];
-        double qw = rw * iw + rx * ix + ry * iy + rz * iz - k[at + TURN + 3];
-        // e in the reference's axes, by v + 2 u x (u x v + w v) with u = -q.
-        double tx = 2 * (rz * ey - ry * ez);
-        double ty = 2 * (rx * ez - rz * ex);
-        double tz = 2 * (ry * ex - rx * ey);
-        double cx = ex + rw * tx + (rz * ty - ry * tz) - k[at + CENTRE];
-        double cy = ey + rw * ty + (rx * tz - rz * tx) - k[at + CENTRE + 1];
-        double cz = ez + rw * tz + (ry * tx - rx * ty) - k[at + CENTRE + 2];
-        double moved =
-                2
-                        * ((cx * cx + cy * cy + cz * cz)
-                                + k[at + SPIN] * (qx * qx + qy * qy + (qz * qz + qw * qw)));
+        double moved = KeptPose.moved(k, at + POSE, s, r, i);
         if (!(moved <= k[at + LIMIT] && moved < room * room)) {
             return false;
         }
@@ -133,6 +97,10 @@ final class Recycler {
             return true;
         }
         int face = WarmStartKey.faceOf(c.cache[row]);
+        double rx = s.orientationX[r];
+        double ry = s.orientationY[r];
+        double rz = s.orientationZ[r];
+        double rw = s.orientationW[r];
         double sign = (face & 1) == 0 ? -1 : 1;
         // The face's outward normal: of a box a column of its rotation matrix.
         double nx;
@@ -164,23 +132,18 @@ final class Recycler {
         }
         c.setNormal(row, flip ? -nx : nx, flip ? -ny : ny, flip ? -nz : nz);
         // A point that leaves the margin is a matter for the narrow phase, which writes all anew.
-        return points(row, flip, ix, iy, iz, iw, ex, ey, ez, nx, ny, nz) <= margin;
+        return points(row, flip, r, i, nx, ny, nz) <= margin;
     }
 
     /** Writes the points from the present poses; returns the largest separation. */
-    private double points(
-            int row,
-            boolean flip,
-            double ix,
-            double iy,
-            double iz,
-            double iw,
-            double ex,
-            double ey,
-            double ez,
-            double nx,
-            double ny,
-            double nz) {
+    private double points(int row, boolean flip, int r, int i, double nx, double ny, double nz) {
+        double ex = s.apartX(r, i);
+        double ey = s.apartY(r, i);
+        double ez = s.apartZ(r, i);
+        double ix = s.orientationX[i];
+        double iy = s.orientationY[i];
+        double iz = s.orientationZ[i];
+        double iw = s.orientationW[i];
         double m00 = 1 - 2 * (iy * iy + iz * iz);
         double m01 = 2 * (ix * iy - iw * iz);
         double m02 = 2 * (ix * iz + iw * iy);
@@ -248,34 +211,13 @@ final class Recycler {
         boolean flip = flip(row);
         int r = flip ? b : a;
         int i = flip ? a : b;
-        double rx = s.orientationX[r];
-        double ry = s.orientationY[r];
-        double rz = s.orientationZ[r];
-        double rw = s.orientationW[r];
-        double ix = s.orientationX[i];
-        double iy = s.orientationY[i];
-        double iz = s.orientationZ[i];
-        double iw = s.orientationW[i];
-        double ex = s.apartX(r, i);
-        double ey = s.apartY(r, i);
-        double ez = s.apartZ(r, i);
         double[] k = c.kept;
         int at = ContactStore.keptAt(row);
-        k[at + TURN] = rw * ix - rx * iw - ry * iz + rz * iy;
-        k[at + TURN + 1] = rw * iy - ry * iw - rz * ix + rx * iz;
-        k[at + TURN + 2] = rw * iz - rz * iw - rx * iy + ry * ix;
-        k[at + TURN + 3] = rw * iw + rx * ix + ry * iy + rz * iz;
-        double tx = 2 * (rz * ey - ry * ez);
-        double ty = 2 * (rx * ez - rz * ex);
-        double tz = 2 * (ry * ex - rx * ey);
-        k[at + CENTRE] = ex + rw * tx + (rz * ty - ry * tz);
-        k[at + CENTRE + 1] = ey + rw * ty + (rx * tz - rz * tx);
-        k[at + CENTRE + 2] = ez + rw * tz + (ry * tx - rx * ty);
+        KeptPose.keep(k, at + POSE, s, r, i, colliders.outerRadius[i]);
         k[at + PLANE] = offset(colliders.shape[r], WarmStartKey.faceOf(c.cache[row]));
-        k[at + SPIN] = 4 * colliders.outerRadius[i] * colliders.outerRadius[i];
         k[at + LIMIT] = apart ? Double.MAX_VALUE : allowed * allowed;
         k[at + GAP] = gap;
-        keepPoints(m, flip, at + POINT, ix, iy, iz, iw, ex, ey, ez);
+        keepPoints(k, at + POINT, s, r, i, m, flip);
     }
 
     /**
@@ -312,18 +254,14 @@ final class Recycler {
     }
 
     /** Keeps the points on the surface of the incident shape, in its axes. */
-    private void keepPoints(
-            Manifold m,
-            boolean flip,
-            int at,
-            double ix,
-            double iy,
-            double iz,
-            double iw,
-            double ex,
-            double ey,
-            double ez) {
-        double[] k = c.kept;
+    static void keepPoints(double[] k, int at, Poses s, int r, int i, Manifold m, boolean flip) {
+        double ix = s.orientationX[i];
+        double iy = s.orientationY[i];
+        double iz = s.orientationZ[i];
+        double iw = s.orientationW[i];
+        double ex = s.apartX(r, i);
+        double ey = s.apartY(r, i);
+        double ez = s.apartZ(r, i);
         double m00 = 1 - 2 * (iy * iy + iz * iz);
         double m01 = 2 * (ix * iy - iw * iz);
         double m02 = 2 * (ix * iz + iw * iy);

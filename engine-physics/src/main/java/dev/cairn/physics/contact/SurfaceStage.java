@@ -48,6 +48,9 @@ final class SurfaceStage {
     /** What a name in common weighs, in cosines of the angle between normals. */
     private static final double NAME = 0.5;
 
+    /** In place of how many contacts a pair has: those of the last tick. */
+    private static final int KEPT = -1;
+
     private final BlockJob collideJob = this::collideBlock;
     private final BlockJob storeJob = this::storeBlock;
     private final ColliderStore colliders;
@@ -56,7 +59,7 @@ final class SurfaceStage {
     private final PairGroups groups;
 
     private ContactStore contacts = new ContactStore();
-    private double reach;
+    private double reach, step;
 
     /** First rows of the groups of this tick, ascending. */
     private int[] first = {};
@@ -78,8 +81,9 @@ final class SurfaceStage {
     }
 
     /** Collides the pairs with an active row. */
-    void run(ContactStore rows, double reachSeconds, Jobs jobs) {
+    void run(ContactStore rows, double stepSeconds, double reachSeconds, Jobs jobs) {
         contacts = rows;
+        step = stepSeconds;
         reach = reachSeconds;
         if (first.length < rows.bodyA.length) {
             first = new int[rows.bodyA.length];
@@ -98,6 +102,9 @@ final class SurfaceStage {
         groups.chain(rows);
         int blocks = Blocks.count(count, PAIRS_PER_BLOCK);
         prepare(blocks, jobs.workers());
+        for (Scratch own : scratch) {
+            own.recycler.use(rows, step);
+        }
         jobs.run(collideJob, blocks);
         addRows();
         jobs.run(storeJob, blocks);
@@ -115,7 +122,7 @@ final class SurfaceStage {
             int old = scratch.length;
             scratch = Arrays.copyOf(scratch, workers);
             for (int w = old; w < workers; w++) {
-                scratch[w] = new Scratch();
+                scratch[w] = new Scratch(new SurfaceRecycler(colliders, groups));
             }
         }
     }
@@ -123,7 +130,7 @@ final class SurfaceStage {
     private void addRows() {
         ContactStore c = contacts;
         for (int i = 0; i < count; i++) {
-            int missing = size[i];
+            int missing = Math.max(0, size[i]);
             for (int row = first[i]; row >= 0; row = groups.next(row)) {
                 missing--;
             }
@@ -151,33 +158,37 @@ final class SurfaceStage {
         int end = Blocks.end(block, PAIRS_PER_BLOCK, count);
         for (int i = Blocks.begin(block, PAIRS_PER_BLOCK); i < end; i++) {
             begin[i] = list.count;
-            collide(first[i], scratch[worker], list);
-            size[i] = list.count - begin[i];
+            boolean isKept = !collide(first[i], scratch[worker], list);
+            size[i] = isKept ? KEPT : list.count - begin[i];
         }
     }
 
-    private void collide(int row, Scratch own, ContactList out) {
+    /** Returns false if the pair's rows are renewed as they are. */
+    private boolean collide(int row, Scratch own, ContactList out) {
         Poses p = colliders.poses;
         boolean isFirst = triangles(colliders.shape[contacts.colliderA[row]]) != null;
         int s = isFirst ? contacts.colliderA[row] : contacts.colliderB[row];
         int b = isFirst ? contacts.colliderB[row] : contacts.colliderA[row];
         TriangleSet set = triangles(colliders.shape[s]);
         if (set == null) {
-            return; // the shape was replaced, and the rows leave in the next tick
+            return true; // the shape was replaced, and the rows leave in the next tick
         }
-        own.turn(p, s, colliders.shape[s]);
-        remember(row, isFirst, own);
         double[] ahead = bounds.ahead;
         int j = BoundsStage.AHEAD * b;
         int i = BoundsStage.AHEAD * s;
         double vx = reach * (ahead[j] - ahead[i]);
         double vy = reach * (ahead[j + 1] - ahead[i + 1]);
         double vz = reach * (ahead[j + 2] - ahead[i + 2]);
+        double still = bounds.speculativeFraction * colliders.innerRadius[b];
         double margin =
-                Math.sqrt(vx * vx + vy * vy + vz * vz)
-                        + ahead[j + 3]
-                        + ahead[i + 3]
-                        + bounds.speculativeFraction * colliders.innerRadius[b];
+                Math.sqrt(vx * vx + vy * vy + vz * vz) + ahead[j + 3] + ahead[i + 3] + still;
+        // half of what is looked through beyond where they may go is more than kept pairs move
+        if (own.recycler.renew(row, s, b, margin, 0.5 * still)) {
+            return false;
+        }
+        own.recycler.keep(row, s, b, margin);
+        own.turn(p, s, colliders.shape[s]);
+        remember(row, isFirst, own);
         own.mesh.collide(
                 set,
                 own.qx,
@@ -197,6 +208,7 @@ final class SurfaceStage {
                 vz,
                 margin,
                 out);
+        return true;
     }
 
     /** Tells what the rows of the pair were. */
@@ -227,7 +239,9 @@ final class SurfaceStage {
     private void storeBlock(int block, int worker) {
         int end = Blocks.end(block, PAIRS_PER_BLOCK, count);
         for (int i = Blocks.begin(block, PAIRS_PER_BLOCK); i < end; i++) {
-            store(i, lists[block], scratch[worker]);
+            if (size[i] != KEPT) {
+                store(i, lists[block], scratch[worker]);
+            }
         }
     }
 
@@ -259,8 +273,15 @@ final class SurfaceStage {
             }
             points.store(own.row[k], m, own.points);
             if (own.of[k] >= 0) {
+                keep(own.row[k], contacts.keeps[head], isFirst ? a : b, isFirst ? b : a, own);
                 touch(own.row[k], list.triangle(own.of[k]));
             }
+        }
+    }
+
+    private void keep(int row, boolean stays, int surface, int shape, Scratch own) {
+        if (stays) {
+            own.recycler.keepRow(row, surface, shape, own.manifold);
         }
     }
 
@@ -342,6 +363,7 @@ final class SurfaceStage {
 
     /** What one worker needs. */
     private static final class Scratch {
+        final SurfaceRecycler recycler;
         final MeshContact mesh = new MeshContact(new NarrowPhase());
         final Manifold manifold = new Manifold();
         final PointStore.Scratch points = new PointStore.Scratch();
@@ -354,6 +376,10 @@ final class SurfaceStage {
 
         boolean[] taken = new boolean[16];
         double qx, qy, qz, qw;
+
+        Scratch(SurfaceRecycler recycler) {
+            this.recycler = recycler;
+        }
 
         void ensure(int need) {
             if (need > row.length) {

@@ -158,6 +158,16 @@ public class ContactColumns {
     /** Of a row with a surface of triangles: the number of the triangle and 1, else 0. */
     public int[] triangle = {};
 
+    /** Numbers of a row in {@link #ground}. */
+    public static final int GROUND = 8;
+
+    /**
+     * Of a row with a surface of triangles that keeps its points, see {@link #keeps}: its normal in
+     * the surface's axes, and of each point how high on the surface it is along that, m; last, as a
+     * number, bit p for a point p of a round side.
+     */
+    public double[] ground = {};
+
     /** Mixed coefficient of restitution, 0..1. */
     public double[] restitution = {};
 

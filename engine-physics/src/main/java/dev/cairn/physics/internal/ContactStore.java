@@ -269,6 +269,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         if (grouped) {
             group = c.column("group", group);
             triangle = c.column("triangle", triangle);
+            ground = c.column("ground", ground, GROUND);
         }
         if (rolls) {
             rollingArm = c.column("rollingArm", rollingArm);
@@ -314,6 +315,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     private void dropUnused() {
         group = grouped ? group : NO_INTS;
         triangle = grouped ? triangle : NO_INTS;
+        ground = grouped ? ground : NO_DOUBLES;
         rollingArm = rolls ? rollingArm : NO_DOUBLES;
         rollingImpulse = rolls ? rollingImpulse : NO_DOUBLES;
         belt = belts ? belt : NO_DOUBLES;
@@ -474,6 +476,19 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         Arrays.fill(normalImpulse, POINTS * row, POINTS * row + POINTS, 0);
         Arrays.fill(preload, POINTS * row, POINTS * row + POINTS, 0);
         Arrays.fill(totalNormalImpulse, POINTS * row, POINTS * row + POINTS, 0);
+    }
+
+    /**
+     * The ground has other heights somewhere: rows on it are collided anew; between steps.
+     *
+     * @param collider of the ground
+     */
+    public void loosen(int collider) {
+        for (int row = 0; row < count; row++) {
+            if (colliderA[row] == collider || colliderB[row] == collider) {
+                keeps[row] = false;
+            }
+        }
     }
 
     /**

@@ -23,7 +23,7 @@ final class FaceRegions {
     int groups;
 
     private int[] triangle = new int[64], material = new int[64];
-    private int[] hollow = new int[64];
+    private int[] edges = new int[64], hollow = new int[64];
     private int[] group = new int[64];
     private double[] number = new double[64 * NUMBERS];
     private double[] area = new double[64];
@@ -42,6 +42,7 @@ final class FaceRegions {
      * @param ofMaterial its number
      * @param corner three times x, y, z
      * @param nx unit normal towards the shape
+     * @param ofEdges their bits, see {@link dev.cairn.physics.shape.mesh.TriangleSet}
      * @param hollowEdges bit e for an edge beyond which the surface rises
      * @param twiceArea m²
      * @param tolerance of the distance from a plane, m
@@ -50,11 +51,12 @@ final class FaceRegions {
     int add(
             int number,
             int ofMaterial,
+            int ofEdges,
+            int hollowEdges,
             double[] corner,
             double nx,
             double ny,
             double nz,
-            int hollowEdges,
             double twiceArea,
             double tolerance) {
         if (count == triangle.length) {
@@ -63,6 +65,7 @@ final class FaceRegions {
         int at = count++;
         triangle[at] = number;
         material[at] = ofMaterial;
+        edges[at] = ofEdges;
         hollow[at] = hollowEdges;
         area[at] = twiceArea;
         double[] n = this.number;
@@ -91,11 +94,38 @@ final class FaceRegions {
         int n = 2 * count;
         triangle = Arrays.copyOf(triangle, n);
         material = Arrays.copyOf(material, n);
+        edges = Arrays.copyOf(edges, n);
         hollow = Arrays.copyOf(hollow, n);
         group = Arrays.copyOf(group, n);
         number = Arrays.copyOf(number, NUMBERS * n);
         area = Arrays.copyOf(area, n);
         leader = Arrays.copyOf(leader, n);
+    }
+
+    /** The triangle that was added i-th, and its corners. */
+    int read(int i, double[] corner) {
+        System.arraycopy(number, NUMBERS * i + 3, corner, 0, 9);
+        return triangle[i];
+    }
+
+    /** A component of the normal of the triangle that was added i-th. */
+    double normalOf(int i, int axis) {
+        return number[NUMBERS * i + axis];
+    }
+
+    /** 1 if the corners of that triangle go round its normal counter-clockwise, else -1. */
+    double orientation(int i) {
+        return TriangleSides.orientation(number, NUMBERS * i);
+    }
+
+    /** The bits of its edges. */
+    int edges(int i) {
+        return edges[i];
+    }
+
+    /** The group of that triangle. */
+    int groupOf(int i) {
+        return group[i];
     }
 
     /** A component of a group's normal, towards the shape. */

@@ -36,6 +36,7 @@ public final class MeshContact {
     private final Manifold manifold = new Manifold(), result = new Manifold();
     private final TriangleSet.Found found = new TriangleSet.Found();
     private final FaceRegions faces = new FaceRegions();
+    private final CalmRidges calm = new CalmRidges();
     private final LoosePoints loose = new LoosePoints();
     private final TriangleGap gap = new TriangleGap();
     private final MeshFrame frame = new MeshFrame();
@@ -147,8 +148,12 @@ public final class MeshContact {
             tolerance = ContactTolerances.ON_PLANE * pair.inner;
             faces.clear();
             loose.clear();
+            calm.clear();
             for (int i = 0; i < found.count; i++) {
                 look(found.triangle[i]);
+            }
+            for (int i = 0; !isInside && i < faces.count; i++) {
+                rim(i);
             }
             for (int g = 0; g < faces.groups; g++) {
                 face(g, out);
@@ -178,7 +183,7 @@ public final class MeshContact {
         double height = -(nx * corner[0] + ny * corner[1] + nz * corner[2]);
         front = 1;
         if (isInside) {
-            faces.add(t, 0, corner, nx, ny, nz, 0, twiceArea, tolerance);
+            faces.add(t, 0, 0, 0, corner, nx, ny, nz, twiceArea, tolerance);
             return;
         }
         if (height < 0) {
@@ -195,15 +200,43 @@ public final class MeshContact {
         if (height - pair.reachA(-tx, -ty, -tz) - pair.radiusA > margin) {
             return;
         }
-        flags = set.flags(t);
-        boolean isFront = front > 0;
-        int hollow = flags / (isFront ? TriangleSet.HOLLOW : TriangleSet.CONVEX) & TriangleSet.ALL;
-        int group = faces.add(t, set.material(t), corner, nx, ny, nz, hollow, twiceArea, tolerance);
-        int corners = isFront ? TriangleSet.CORNER : TriangleSet.CORNER_BACK;
-        if ((flags / corners & TriangleSet.ALL) != 0
-                && !gap.isApart(corner, nx, ny, nz, pair, margin)) {
-            standsOut(t, group);
+        flags = set.edges(t);
+        int hollow = flags / (front > 0 ? TriangleSet.HOLLOW : TriangleSet.CONVEX);
+        int material = set.material(t);
+        faces.add(
+                t,
+                material,
+                flags,
+                hollow & TriangleSet.ALL,
+                corner,
+                nx,
+                ny,
+                nz,
+                twiceArea,
+                tolerance);
+        calm.look(set, t, ridges(), corner, nx, ny, nz, front, pair, tolerance);
+    }
+
+    /** Of the triangle at hand, on its side. */
+    private int ridges() {
+        return flags / (front > 0 ? TriangleSet.CONVEX : TriangleSet.HOLLOW) & TriangleSet.ALL;
+    }
+
+    /** What stands out of a face, unless that is calm. */
+    private void rim(int i) {
+        int t = faces.read(i, corner);
+        nx = faces.normalOf(i, 0);
+        ny = faces.normalOf(i, 1);
+        nz = faces.normalOf(i, 2);
+        front = faces.orientation(i);
+        flags = faces.edges(i);
+        int open = flags / TriangleSet.OPEN & TriangleSet.ALL;
+        if ((open | calm.others(set, t, ridges())) == 0
+                || gap.isApart(corner, nx, ny, nz, pair, margin)) {
+            return;
         }
+        flags = set.flags(t);
+        standsOut(t, faces.groupOf(i));
     }
 
     /** Writes the unit normal; returns twice the area. */

@@ -8,7 +8,8 @@
  *
  * <pre>
  *   triangles in the body's box ─▶ faces: planes whose triangles the body's points are over    ({@link dev.cairn.physics.narrowphase.mesh.FaceRegions})
- *                               ─▶ edges and corners that stand out: the general way of two hulls,
+ *                               ─▶ ridges that can't be touched, by a support point each       ({@link dev.cairn.physics.narrowphase.mesh.CalmRidges})
+ *                               ─▶ other edges and corners: the general way of two hulls,
  *                                  kept if the normal is in the cone of the surface there      ({@link dev.cairn.physics.narrowphase.mesh.NormalCone})
  *                               ─▶ contacts, each with one normal                              ({@link dev.cairn.physics.narrowphase.mesh.MeshContact})
  * </pre>

@@ -224,6 +224,14 @@ public final class FieldTriangles extends TriangleSet {
         return flags;
     }
 
+    @Override
+    public int edges(int t) {
+        int i = cellX(t);
+        int j = cellZ(t);
+        int k = t & 1;
+        return kind(i, j, k, 0) | kind(i, j, k, 1) << 1 | kind(i, j, k, 2) << 2;
+    }
+
     /** What an edge of a cell that is there is, as of edge 0. */
     private int kind(int i, int j, int k, int e) {
         int at = 3 * k + e;

@@ -72,6 +72,11 @@ public abstract class TriangleSet {
     /** What can be touched of a triangle: {@link #CONVEX} and the other bits. */
     public abstract int flags(int triangle);
 
+    /** The same of its edges; bits of corners may be among them. */
+    public int edges(int triangle) {
+        return flags(triangle);
+    }
+
     /** The number by which the user knows a triangle. */
     public abstract int source(int triangle);
 
