@@ -36,10 +36,11 @@ final class CalmRidges {
     private static final double LEAN = 0.11;
 
     /**
-     * Of a deepest point under the face's plane: how far it must be from the ridge, in its depths;
-     * 76 degrees between the faces.
+     * Of a deepest point under the face's plane: how far it must be from the ridge, in its depths.
+     * Below its plane a face tells the whole arc only up to the angle whose tangent that is, 89
+     * degrees.
      */
-    private static final double PER_DEPTH = 4;
+    private static final double PER_DEPTH = 64;
 
     /** Keys of calm ridges, 0 where there is none, in an open table of a power of two. */
     private long[] keys = new long[128];

@@ -313,10 +313,17 @@ public final class Polyhedron {
         if (block) {
             return (dx > 0 ? 1 : 0) | (dy > 0 ? 2 : 0) | (dz > 0 ? 4 : 0);
         }
-        if (vertexCount() > SCANNED) {
-            return climb(dx, dy, dz, start(dx, dy, dz));
-        }
-        return scan(dx, dy, dz);
+        int n = vertexCount();
+        return n > SCANNED
+                ? climb(dx, dy, dz, start(dx, dy, dz))
+                : n == 3 ? ofThree(dx, dy, dz) : scan(dx, dy, dz);
+    }
+
+    private int ofThree(double dx, double dy, double dz) {
+        double a = along(0, dx, dy, dz);
+        double b = along(1, dx, dy, dz);
+        double c = along(2, dx, dy, dz);
+        return a >= b ? (a >= c ? 0 : 2) : (b >= c ? 1 : 2);
     }
 
     /**
