@@ -6,21 +6,19 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.AabbTree;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.RayTraversal;
+import dev.cairn.physics.contact.impact.Halt;
 import dev.cairn.physics.contact.impact.ImpactStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Poses;
-import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.narrowphase.pair.Reach;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
 
 import org.jspecify.annotations.Nullable;
-
-import java.util.Arrays;
 
 /**
  * The centre of a convex body, and that of each part of a body of several shapes, does not pass
@@ -62,7 +60,7 @@ final class CentreGuard {
     private final ColliderStore colliders;
     private final ContactStore contacts;
     private final BoundsStage bounds;
-    private final EdgeSource[] edges;
+    private final Halt halt;
     private final RayTraversal walk = new RayTraversal();
     private final ShapeQueries queries = new ShapeQueries();
     private final Placement surface = new Placement();
@@ -81,12 +79,6 @@ final class CentreGuard {
     /** By block of bodies: how many are fast; by block of rows: how many are looked at. */
     private int[] fastCount = {}, rowCount = {};
 
-    /** By body slot: it hangs on joints; by root of what hangs together: on what does not move. */
-    private boolean[] tied = {}, held = {};
-
-    /** Who hangs together by joints. */
-    private final Islands ties = new Islands();
-
     CentreGuard(
             ColliderStore colliders,
             ContactStore contacts,
@@ -95,7 +87,7 @@ final class CentreGuard {
         this.colliders = colliders;
         this.contacts = contacts;
         this.bounds = bounds;
-        this.edges = edges;
+        halt = new Halt(colliders, edges);
     }
 
     /**
@@ -134,7 +126,7 @@ final class CentreGuard {
         if (!any) {
             return;
         }
-        tie();
+        halt.tie(dynamic, dynamicCount);
         composeDriven();
         jobs.run(rowsJob, rowBlocks);
         for (int b = 0; b < rowBlocks; b++) {
@@ -164,9 +156,6 @@ final class CentreGuard {
     private void ensure(int bodyBlocks, int rowBlocks) {
         if (fast.length < colliders.slotCount) {
             fast = new boolean[colliders.poses.positionX.length];
-            tied = new boolean[fast.length];
-            held = new boolean[fast.length];
-            ties.ensureSlots(fast.length);
         }
         if (fastCount.length < bodyBlocks) {
             fastCount = new int[Blocks.count(colliders.poses.positionX.length, BODIES_PER_BLOCK)];
@@ -174,45 +163,6 @@ final class CentreGuard {
         if (rowCount.length < rowBlocks) {
             rowCount = new int[Blocks.count(contacts.bodyA.length, ROWS_PER_BLOCK)];
         }
-    }
-
-    /**
-     * Finds who hangs on joints. What floats is put back as a whole, so that no joint opens; who
-     * hangs on what does not move goes where joints pull it: to put it back would pull at them.
-     */
-    private void tie() {
-        int slots = colliders.bodies.slotCount;
-        Arrays.fill(tied, 0, slots, false);
-        Arrays.fill(held, 0, slots, false);
-        ties.begin(dynamic, dynamicCount);
-        byte[] kind = colliders.bodies.kind;
-        for (int pass = 0; pass < 2; pass++) {
-            for (int k = 1; k < edges.length; k++) {
-                for (int i = 0; i < edges[k].edges(); i++) {
-                    tie(edges[k].edgeA(i), edges[k].edgeB(i), kind, pass == 0);
-                }
-            }
-        }
-    }
-
-    private void tie(int a, int b, byte[] kind, boolean isFirst) {
-        if (a < 0) {
-            return;
-        }
-        boolean movesA = kind[a] == BodyStore.DYNAMIC;
-        boolean movesB = kind[b] == BodyStore.DYNAMIC;
-        tied[a] = true;
-        tied[b] = true;
-        if (isFirst && movesA && movesB) {
-            ties.join(a, b);
-        } else if (!isFirst && movesA != movesB) {
-            held[ties.root(movesA ? a : b)] = true;
-        }
-    }
-
-    /** Whether a body may be put back: alone, or with those that hang on it. */
-    private boolean isLoose(int body) {
-        return !tied[body] || !held[ties.root(body)];
     }
 
     private void bodiesBlock(int block, int worker) {
@@ -302,14 +252,13 @@ final class CentreGuard {
         rowCount[block] = count;
     }
 
-    /** Whether one body of a row was fast and the other one does not answer. */
+    /** Whether one body of a row was fast, and moves. */
     private boolean looksAt(int row) {
-        byte[] kind = colliders.bodies.kind;
-        int a = contacts.bodyA[row];
-        int b = contacts.bodyB[row];
-        return kind[a] == BodyStore.DYNAMIC
-                ? fast[a] && kind[b] != BodyStore.DYNAMIC
-                : kind[b] == BodyStore.DYNAMIC && fast[b];
+        return isFastMover(contacts.bodyA[row]) || isFastMover(contacts.bodyB[row]);
+    }
+
+    private boolean isFastMover(int body) {
+        return colliders.bodies.kind[body] == BodyStore.DYNAMIC && fast[body];
     }
 
     private void guardRows(int block, byte[] state, boolean isHooked) {
@@ -320,16 +269,22 @@ final class CentreGuard {
             if (!looksAt(row) || (isHooked && !c.isSolved(row))) {
                 continue;
             }
-            boolean movesA = colliders.bodies.kind[c.bodyA[row]] == BodyStore.DYNAMIC;
-            int body = movesA ? c.bodyA[row] : c.bodyB[row];
-            if (isLoose(body) || state[i] != SweepStage.HARMLESS) {
-                int part = movesA ? c.colliderA[row] : c.colliderB[row];
-                if (colliders.isPart(part) && !isHooked) {
-                    continue; // its whole has a row; a hook sees those of parts
-                }
-                keepOut(part, movesA ? c.colliderB[row] : c.colliderA[row]);
-            }
+            boolean isSeen = state[i] != SweepStage.HARMLESS;
+            guardRow(c.colliderA[row], c.colliderB[row], isSeen, isHooked);
+            guardRow(c.colliderB[row], c.colliderA[row], isSeen, isHooked);
         }
+    }
+
+    /** Looks at the way of one collider of a row as seen from the other one. */
+    private void guardRow(int part, int other, boolean isSeen, boolean isHooked) {
+        int body = colliders.body[part];
+        if (colliders.bodies.kind[body] != BodyStore.DYNAMIC
+                || !(halt.isLoose(body) || isSeen)
+                // its whole has a row; a hook sees those of parts
+                || (!isHooked && colliders.isPart(part))) {
+            return;
+        }
+        keepOut(part, other);
     }
 
     /** Who has left its box meets what is in no pair with it. */
@@ -337,7 +292,7 @@ final class CentreGuard {
         int end = Blocks.end(block, BODIES_PER_BLOCK, dynamicCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             int slot = dynamic[i];
-            int c = fast[slot] && isLoose(slot) ? colliders.bodies.collider[slot] : NONE;
+            int c = fast[slot] && halt.isLoose(slot) ? colliders.bodies.collider[slot] : NONE;
             for (; c != NONE; c = colliders.next[c]) {
                 if (isFast(c) && !isInBox(c, broadPhase.fatBoxes())) {
                     follow(c, broadPhase);
@@ -367,11 +322,18 @@ final class CentreGuard {
             box[axis] = bounds.start[3 * slot + axis] - reach;
             box[axis + 3] = bounds.start[3 * slot + axis] + reach;
         }
-        walk.start(broadPhase.staticTree(), box, x / way, y / way, z / way);
-        for (int other = walk.next(way);
-                other != AabbTree.NONE;
-                other = walk.next(length(wayX(slot), wayY(slot), wayZ(slot)))) {
-            meet(slot, other, broadPhase);
+        for (int tree = 0; tree < 2; tree++) {
+            walk.start(
+                    tree == 0 ? broadPhase.staticTree() : broadPhase.dynamicTree(),
+                    box,
+                    x / way,
+                    y / way,
+                    z / way);
+            for (int other = walk.next(way);
+                    other != AabbTree.NONE;
+                    other = walk.next(length(wayX(slot), wayY(slot), wayZ(slot)))) {
+                meet(slot, other, broadPhase);
+            }
         }
         // what has no end is in no tree
         for (int i = 0; i < broadPhase.endlessCount(); i++) {
@@ -380,7 +342,7 @@ final class CentreGuard {
     }
 
     private void meet(int slot, int other, BroadPhase broadPhase) {
-        if (colliders.bodies.kind[colliders.body[other]] != BodyStore.DYNAMIC
+        if (colliders.body[other] != colliders.body[slot]
                 && !colliders.sensor[other]
                 && !broadPhase.isPair(slot, other)
                 && broadPhase.admits(slot, other)) {
@@ -402,20 +364,50 @@ final class CentreGuard {
     private void keepOut(int part, int other) {
         Poses p = colliders.poses;
         // who was struck is looked at from there on
-        double share = colliders.bodies.isMoved(colliders.body[other]) ? 1 - late(part) : 0;
-        double wayX = share * wayX(other) - wayX(part);
-        double wayY = share * wayY(other) - wayY(part);
-        double wayZ = share * wayZ(other) - wayZ(part);
+        double from = Math.max(late(part), late(other));
+        double mine = since(part, from);
+        double its = moves(colliders.body[other]) ? since(other, from) : 0;
+        double wayX = its * wayX(other) - mine * wayX(part);
+        double wayY = its * wayY(other) - mine * wayY(part);
+        double wayZ = its * wayZ(other) - mine * wayZ(part);
         double x = p.apartX(part, other) - wayX;
         double y = p.apartY(part, other) - wayY;
         double z = p.apartZ(part, other) - wayZ;
         double least = least(part);
         double square = wayX * wayX + wayY * wayY + wayZ * wayZ;
-        if (!(square > least * least)) {
+        if (!(square > least * least) || turnsAway(part, other, x, y, z)) {
             return;
         }
         place(surface, other, x, y, z);
-        keepBefore(part, wayX, wayY, wayZ, Math.sqrt(square), Reach.fits(colliders.shape[other]));
+        keepBefore(part, other, wayX, wayY, wayZ, Math.sqrt(square));
+    }
+
+    /** The share of a collider's way that it goes from a share of the tick on. */
+    private double since(int c, double from) {
+        double start = late(c);
+        return from > start ? (1 - from) / (1 - start) : 1;
+    }
+
+    private boolean moves(int body) {
+        return colliders.bodies.kind[body] == BodyStore.DYNAMIC || colliders.bodies.isMoved(body);
+    }
+
+    /**
+     * Whether a body turns so far about a place in the tick that one that was seen there from it is
+     * seen elsewhere. It is looked at as it lies at the end.
+     */
+    private boolean turnsAway(int part, int other, double x, double y, double z) {
+        BodyStore s = colliders.bodies;
+        int body = colliders.body[other];
+        if (s.kind[body] != BodyStore.DYNAMIC) {
+            return false;
+        }
+        double w =
+                length(
+                        s.angularVelocityX[body],
+                        s.angularVelocityY[body],
+                        s.angularVelocityZ[body]);
+        return step * w * length(x, y, z) > FAST * colliders.innerRadius[part];
     }
 
     private void place(Placement to, int other, double x, double y, double z) {
@@ -435,11 +427,12 @@ final class CentreGuard {
      * Follows the way as a ray, against {@link #surface}. What comes from the back of a one-sided
      * triangle passes.
      *
-     * @param isSolid whether contacts push out what is in it but for its centre; a surface of
-     *     triangles has no inside, so the centre must not come too near either
+     * <p>Contacts push out what is in a solid but for its centre; a surface of triangles has no
+     * inside, so the centre must not come too near either.
      */
     private void keepBefore(
-            int part, double wayX, double wayY, double wayZ, double way, boolean isSolid) {
+            int part, int other, double wayX, double wayY, double wayZ, double way) {
+        boolean isSolid = Reach.fits(colliders.shape[other]);
         double inner = colliders.innerRadius[part];
         double most = isSolid ? way : way + inner;
         if (!queries.rayCast(surface, 0, 0, 0, -wayX, -wayY, -wayZ, most, hit)
@@ -453,45 +446,14 @@ final class CentreGuard {
         if (!(rest > 0)) {
             return;
         }
-        stop(
-                part,
+        halt.stop(
+                colliders.body[part],
+                colliders.body[other],
                 rest * wayX,
                 rest * wayY,
                 rest * wayZ,
                 -hit.normalX(),
                 -hit.normalY(),
                 -hit.normalZ());
-    }
-
-    /**
-     * Takes back the rest of its way from a part's body and who hangs on it, and what goes in of
-     * its velocity.
-     */
-    private void stop(
-            int part, double backX, double backY, double backZ, double nx, double ny, double nz) {
-        BodyStore s = colliders.bodies;
-        int body = colliders.body[part];
-        if (tied[body] && isLoose(body)) {
-            for (int i = 0; i < dynamicCount; i++) {
-                if (tied[dynamic[i]] && ties.root(dynamic[i]) == ties.root(body)) {
-                    move(dynamic[i], backX, backY, backZ);
-                }
-            }
-        } else {
-            move(body, backX, backY, backZ);
-        }
-        double in = nx * s.velocityX[body] + ny * s.velocityY[body] + nz * s.velocityZ[body];
-        if (in > 0) {
-            s.velocityX[body] -= in * nx;
-            s.velocityY[body] -= in * ny;
-            s.velocityZ[body] -= in * nz;
-        }
-    }
-
-    private void move(int body, double x, double y, double z) {
-        colliders.bodies.move(body, x, y, z);
-        if (!isSingle(body)) {
-            colliders.compose(body, scratch[0]);
-        }
     }
 }

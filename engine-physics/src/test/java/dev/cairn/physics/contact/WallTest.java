@@ -11,6 +11,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.support.Scenes;
@@ -153,7 +154,18 @@ class WallTest {
                     points[i + 1] = 2 * half * (random.nextDouble() - 0.5);
                     points[i + 2] = 2 * thin * (random.nextDouble() - 0.5);
                 }
-                return ConvexHull.of(points);
+                return aboutItsCentre(points);
         }
+    }
+
+    /** A hull whose origin is its centre of mass, which is what may not be behind the wall. */
+    private static Shape aboutItsCentre(double[] points) {
+        MassProperties mass = ConvexHull.of(points).massProperties(1);
+        for (int i = 0; i < points.length; i += 3) {
+            points[i] -= mass.comX();
+            points[i + 1] -= mass.comY();
+            points[i + 2] -= mass.comZ();
+        }
+        return ConvexHull.of(points);
     }
 }
