@@ -13,6 +13,12 @@ import dev.cairn.physics.shape.polyhedron.Polyhedron;
  * edges, or the nearest points. Works in A's frame and turns what it writes into world axes.
  */
 public final class ContactPoints {
+    /**
+     * Shares of a patch are multiples of one over this. The sums over its corners are rounded by
+     * where they begin and which way they go round, which a mirror turns.
+     */
+    private static final double GRAINS = 0x1p24;
+
     private final Pair pair;
     private final Axes axes;
     private final Gjk gjk;
@@ -106,7 +112,7 @@ public final class ContactPoints {
         boolean many = clipper.count > Manifold.POINTS;
         double mean = many ? Reduction.meanDistance(clipper) : 0;
         reduction.reduce(clipper, nx, ny, nz, 0.01 * hysteresis, hysteresis, last);
-        out.patch = many ? mean / Reduction.meanOfCorners(clipper) : 0;
+        out.patch = many ? Math.rint(GRAINS * mean / Reduction.meanOfCorners(clipper)) / GRAINS : 0;
         for (int i = 0; i < clipper.count; i++) {
             double half = clipper.separation[i] / 2;
             double x = clipper.x[i] - half * nx;
