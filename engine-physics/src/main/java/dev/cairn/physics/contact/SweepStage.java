@@ -38,7 +38,7 @@ public final class SweepStage {
     private static final int ROWS_PER_BLOCK = 256;
 
     /** Of the smaller inner radius: bodies that pass by less in a tick are not looked at. */
-    private static final double FAST = 0.25;
+    private static final double FAST = 0x1p-20;
 
     /** The same: who passes by more is struck within the tick, see {@link ImpactStage}. */
     private static final double VERY_FAST = 4;

@@ -55,6 +55,9 @@ final class SweptPair implements MovingPair {
     /** Of the smaller inner radius: points that far apart are of the meeting. */
     private static final double THERE = 0.02;
 
+    /** Who tumbles, seen from far away. */
+    private static final Sphere POINT = Sphere.of(0x1p-90);
+
     /** Square of the sine between w and I w that is rounding. */
     private static final double STEADY = 0x1p-80;
 
@@ -75,7 +78,7 @@ final class SweptPair implements MovingPair {
     private double step;
 
     /** Of the last {@link #setUp}. */
-    private double fromX, fromY, fromZ, met, exact, size;
+    private double fromX, fromY, fromZ, met, exact, size, doubtA, doubtB;
 
     /** By body: 0 where nothing but gravity and the user's forces accelerates it. */
     private byte[] freedom = {};
@@ -109,7 +112,37 @@ final class SweptPair implements MovingPair {
         if (from > 0) {
             met = exact;
         }
-        return find(from);
+        return find(from) && !(met > exact && isOutOfReach());
+    }
+
+    /**
+     * Whether two that tumble, and may have met but for what is not known of their turning, do not
+     * come near however they lie: a ball about each of those is as large as it at most.
+     */
+    private boolean isOutOfReach() {
+        if (colliders.isChild(slotA) || colliders.isChild(slotB)) {
+            return false;
+        }
+        double until = time;
+        double around = exact + shrink(a, doubtA, slotA) + shrink(b, doubtB, slotB);
+        boolean meet = search.find(a, b, fromX, fromY, fromZ, 0, step, around, size);
+        boolean isFar = !meet && !search.isUndecided;
+        setUp(slotA, slotB, step);
+        time = until;
+        a.move(time);
+        b.move(time);
+        search.isUndecided = false;
+        return isFar;
+    }
+
+    /** Makes a point of who tumbles; returns how far it reaches, m. */
+    private double shrink(Flight f, double doubt, int slot) {
+        if (doubt == 0) {
+            return 0;
+        }
+        f.shape = POINT;
+        f.begin(0, true);
+        return colliders.outerRadius[slot];
     }
 
     /** Whether both are balls, whose distance is a formula. */
@@ -121,7 +154,8 @@ final class SweptPair implements MovingPair {
         slotA = first;
         slotB = second;
         step = stepSeconds;
-        double doubt = set(a, first) + set(b, second);
+        doubtA = set(a, first);
+        doubtB = set(b, second);
         Poses p = colliders.poses;
         fromX = p.apartX(first, second);
         fromY = p.apartY(first, second);
@@ -130,7 +164,7 @@ final class SweptPair implements MovingPair {
         exact =
                 (isRound() ? EXACT : MET) * size
                         + ROUNDING * Math.max(size(first, second), size(second, first));
-        met = exact + doubt;
+        met = exact + doubtA + doubtB;
     }
 
     private boolean find(double from) {
