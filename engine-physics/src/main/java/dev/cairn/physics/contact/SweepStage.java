@@ -37,7 +37,7 @@ import java.util.Objects;
 public final class SweepStage {
     private static final int ROWS_PER_BLOCK = 256;
 
-    /** Of the smaller inner radius: bodies that pass by less in a tick are not looked at. */
+    /** Of the smaller inner radius: who passes by less in a tick, as at rest, is not looked at. */
     private static final double FAST = 0x1p-20;
 
     /** The same: who passes by more is struck within the tick, see {@link ImpactStage}. */

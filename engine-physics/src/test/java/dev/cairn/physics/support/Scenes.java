@@ -26,6 +26,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.random.RandomGenerator;
 
 /** Scenes for tests of the pipeline. */
 public final class Scenes {
@@ -177,6 +178,21 @@ public final class Scenes {
             all[3 * i + 2] = at.z;
         }
         return all;
+    }
+
+    /** Any orientation: a unit quaternion, evenly over all. */
+    public static Quaterniond turn(RandomGenerator random) {
+        while (true) {
+            double x = 2 * random.nextDouble() - 1;
+            double y = 2 * random.nextDouble() - 1;
+            double z = 2 * random.nextDouble() - 1;
+            double w = 2 * random.nextDouble() - 1;
+            double square = x * x + y * y + z * z + w * w;
+            if (square > 0.01 && square <= 1) {
+                double unit = 1 / Math.sqrt(square);
+                return new Quaterniond(x * unit, y * unit, z * unit, w * unit);
+            }
+        }
     }
 
     /** Neighbouring seeds give like numbers at first. */
