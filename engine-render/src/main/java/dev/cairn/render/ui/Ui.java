@@ -277,6 +277,14 @@ public interface Ui {
     int overlapping();
 
     /**
+     * How many frames so far differed from the frame before; the others are drawn from what is in
+     * graphics memory already. For tests.
+     *
+     * @return the count
+     */
+    long changes();
+
+    /**
      * Where a widget was drawn last, for tests and guided tours.
      *
      * @param label what was passed to the call that drew it

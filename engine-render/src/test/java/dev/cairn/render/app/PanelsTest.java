@@ -2,6 +2,7 @@ package dev.cairn.render.app;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -20,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.lang.management.ManagementFactory;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 
@@ -257,6 +259,72 @@ class PanelsTest extends Drawing {
                         to.endPanel();
                     });
             assertArrayEquals(before, draw(stage.publish(), 1, camera, SUNNY).argb());
+        }
+    }
+
+    /** Triangles are made and sent for what differs from the frame before, and for nothing else. */
+    @Test
+    void aFrameLikeTheOneBeforeIsNotMadeAnew() {
+        try (Stage stage = new Stage();
+                NuklearUi ui = new NuklearUi(1)) {
+            var snapshot = stage.publish();
+            String[] texts = {"one", "one", "one", "two", "two", "one"};
+            long[] changes = new long[texts.length];
+            int[][] seen = new int[texts.length][];
+            for (int i = 0; i < texts.length; i++) {
+                for (int frame = 0; frame < 3; frame++) { // a new panel takes two to settle
+                    ui.input().begin();
+                    ui.input().end();
+                    ui.begin(WIDTH, HEIGHT);
+                    ui.panel("A", 10, 10, 120, 60);
+                    ui.label(texts[i]);
+                    ui.endPanel();
+                    ui.panel("B", 150, 10, 120, 60);
+                    ui.button("below");
+                    ui.endPanel();
+                    draw(snapshot, 1, new Camera(), FLAT);
+                    view.paint(ui);
+                }
+                changes[i] = ui.changes();
+                seen[i] = view.picture().argb();
+            }
+            long first = changes[0];
+            assertTrue(first >= 1 && first <= 3, Arrays.toString(changes));
+            assertArrayEquals(
+                    new long[] {first, first, first, first + 1, first + 1, first + 2}, changes);
+            assertArrayEquals(seen[0], seen[1]);
+            assertArrayEquals(seen[0], seen[5]);
+            assertFalse(Arrays.equals(seen[0], seen[3]), "the other text is seen");
+        }
+    }
+
+    /** What lies over what is no command of its own, and still a change. */
+    @Test
+    void thePanelThatIsClickedComesToTheFront() {
+        try (Stage stage = new Stage();
+                NuklearUi ui = new NuklearUi(1)) {
+            var snapshot = stage.publish();
+            int[] atCorner = new int[2];
+            for (int i = 0; i < 2; i++) {
+                for (int frame = 0; frame < 6; frame++) {
+                    ui.input().begin();
+                    if (i == 1 && frame < 2) {
+                        ui.input().button(MouseButton.LEFT, 20, 20, frame == 0);
+                    }
+                    ui.input().moved(300, 150); // away, so that nothing is lit
+                    ui.input().end();
+                    ui.begin(WIDTH, HEIGHT);
+                    ui.panel("A", 10, 10, 120, 60);
+                    ui.endPanel();
+                    ui.panel("B", 100, 40, 120, 60);
+                    ui.endPanel();
+                    draw(snapshot, 1, new Camera(), FLAT);
+                    view.paint(ui);
+                }
+                // the title of B, where A hides it once A is in front
+                atCorner[i] = view.picture().at(110, 50);
+            }
+            assertTrue(Blocks.difference(atCorner[0], atCorner[1]) > 2, "A is in front now");
         }
     }
 

@@ -175,7 +175,7 @@ final class SandboxProbe extends Sandbox {
                     + " substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d shortened=%d"
                     + " overlapping=%d oldest=%d newest=%d kept=%d future=%b apart=%.9f"
                     + " sameAgain=%d otherAgain=%d digestTick=%d digest=%016x barX=%.1f barY=%.1f"
-                    + " barWidth=%.1f sinkKeys=%s listKeys=%s followed=%b panelMillis=%.4f%s%n",
+                    + " barWidth=%.1f sinkKeys=%s listKeys=%s followed=%b changes=%d%s%n",
                 view.frames(),
                 state.tick,
                 view.snapshot().tick(),
@@ -219,7 +219,7 @@ final class SandboxProbe extends Sandbox {
                 keysOf("sink"),
                 keysOf("list keys"),
                 view.camera().followed() != Camera.NOTHING,
-                view.panelMillis(),
+                ui.changes(),
                 places(ui));
         out.flush();
         bytesBefore = threads.getCurrentThreadAllocatedBytes();

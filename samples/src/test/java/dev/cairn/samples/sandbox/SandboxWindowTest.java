@@ -111,6 +111,21 @@ class SandboxWindowTest extends WindowFixture {
         awaitNoGarbage("the list of keys");
         type("key", "F1");
         assertFalse(now().flag("paused"), last);
+
+        // While nothing changes, panels are drawn from what is in graphics memory.
+        type("key", "p");
+        await("the pause", seen -> seen.flag("paused"));
+        long[] known = {-1, 0};
+        await(
+                "ten frames in a row whose panels are not made anew",
+                seen -> {
+                    long changes = (long) seen.number("changes");
+                    known[1] = changes == known[0] ? known[1] + 1 : 0;
+                    known[0] = changes;
+                    return known[1] >= 10;
+                });
+        type("key", "p");
+        await("them to be made anew", seen -> seen.number("changes") > known[0] + 10);
     }
 
     @Test

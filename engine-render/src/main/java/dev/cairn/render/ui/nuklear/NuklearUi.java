@@ -34,6 +34,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     private final double scale;
     private final UiFont font;
+    private final UiGeometry geometry;
     private final UiPainter painter;
     private final UiCross cross;
     private final UiPlot plots;
@@ -50,7 +51,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     private final UiShares shares = new UiShares();
     private final UiPictures pictures = new UiPictures(context);
-    private final Map<String, double[]> bounds = new HashMap<>();
+    private final UiPlaces places = new UiPlaces();
     private final UiSections sections = new UiSections();
     private final Map<String, FieldText> fields = new HashMap<>();
     private final SliderText sliderText = new SliderText();
@@ -58,6 +59,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private int pixelWidth;
     private int pixelHeight;
     private String panelNow = "";
+    private float panelTop;
+    private float panelBottom;
     private String movedPanel = "";
     private String movedSlider = "";
     private boolean editing;
@@ -76,7 +79,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
     public NuklearUi(double scale) {
         this.scale = scale;
         font = new UiFont(scale);
-        painter = new UiPainter(font);
+        geometry = new UiGeometry(memory, font.whiteTexel());
+        painter = new UiPainter(geometry);
         nk_init_fixed(context, memory, font.regular());
         UiStyle.apply(context, scale);
         cross = new UiCross(context, scale);
@@ -161,7 +165,9 @@ public final class NuklearUi implements Ui, AutoCloseable {
             String title, double left, double top, double panelWidth, double panelHeight) {
         panelNow = title;
         rect.set(px(left), px(top), px(Math.max(panelWidth, 1)), px(Math.max(panelHeight, 1)));
-        remember(title, left, top, panelWidth, panelHeight);
+        panelTop = rect.y();
+        panelBottom = panelTop + rect.h();
+        places.put(title, left, top, panelWidth, panelHeight);
         panels.add(left, top, panelWidth, panelHeight);
         nk_style_push_font(context, font.title());
         panelOpen =
@@ -205,23 +211,12 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     private double[] remember(String label) {
         nk_widget_bounds(context, rect);
-        double s = scale;
-        return remember(label, rect.x() / s, rect.y() / s, rect.w() / s, rect.h() / s);
-    }
-
-    private double[] remember(String label, double left, double top, double w, double h) {
-        double[] at = bounds.computeIfAbsent(label, key -> new double[4]);
-        at[0] = left;
-        at[1] = top;
-        at[2] = w;
-        at[3] = h;
-        return at;
+        return places.put(label, rect, scale);
     }
 
     @Override
     public double @Nullable [] boundsOf(String label) {
-        double[] known = bounds.get(label);
-        return known == null ? null : known.clone();
+        return places.of(label);
     }
 
     private void hint(String text) {
@@ -241,15 +236,23 @@ public final class NuklearUi implements Ui, AutoCloseable {
         nnk_label_colored(context.address(), fitted(text, 0), align, first.address());
     }
 
-    /** A text that fits the next widget, less so much on either side. */
+    /** A text that fits the next widget, less so much on either side; none where none is seen. */
     private long fitted(CharSequence text, double inset) {
         nk_widget_bounds(context, rect);
+        if (rect.y() > panelBottom || rect.y() + rect.h() < panelTop) {
+            return letters.of("");
+        }
         return letters.fitted(text, font.regularWidths(), rect.w() - 2 * inset * scale);
     }
 
     @Override
     public int shortened() {
         return letters.shortened();
+    }
+
+    @Override
+    public long changes() {
+        return geometry.changes();
     }
 
     @Override
@@ -450,11 +453,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
         row(ROW, 2, shares.choice);
         write(label, NK_TEXT_LEFT);
         remember(label);
-        FieldText field = fields.get(label);
-        if (field == null) {
-            field = new FieldText();
-            fields.put(label, field);
-        }
+        FieldText field = fields.computeIfAbsent(label, key -> new FieldText());
         MemoryUtil.memPutInt(numbers, field.write(content, edited, TEXT_BYTES - 8));
         int state =
                 nnk_edit_string(
@@ -482,6 +481,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     public void close() {
         nk_free(context);
         painter.close();
+        geometry.close();
         font.close();
         MemoryUtil.memAlignedFree(memory);
         MemoryUtil.nmemFree(edited);
