@@ -26,6 +26,8 @@ final class CommandsTest {
             Pattern.compile("-Dtest=([\\w,]+)|mvn[^`\\n]*? -P(\\w+)|mvn[^`\\n]*? -pl ([\\w,/-]+)");
     private static final Pattern MARKED = Pattern.compile("`([A-Z]\\w+(?:Test|Probe))\\b");
 
+    private static final Pattern METHOD = Pattern.compile("`([A-Z]\\w+Test)\\.(\\w+)`");
+
     /** README, CONTRIBUTING and the pages below docs, but for the records of other days. */
     private static List<Path> pages() throws IOException {
         List<Path> pages = new ArrayList<>();
@@ -108,5 +110,31 @@ final class CommandsTest {
             }
         }
         assertTrue(found > 30, "what is named: " + found);
+    }
+
+    /** A point and the test that shows it: `Test.method` names a method that is there. */
+    @Test
+    void everyTestMethodThatAPageNamesIsThere() throws IOException {
+        int found = 0;
+        for (Path page : pages()) {
+            for (Matcher named = METHOD.matcher(Files.readString(page)); named.find(); found++) {
+                String method = "void " + named.group(2) + "(";
+                String test = named.group(1) + ".java";
+                try (Stream<Path> files = Files.walk(DocsTest.ROOT)) {
+                    Path source =
+                            files.filter(file -> file.endsWith(test) && isSource(file))
+                                    .findAny()
+                                    .orElseThrow(() -> new AssertionError("no " + test));
+                    assertTrue(
+                            Files.readString(source).contains(method),
+                            page + ": " + test + " has no " + method + ")");
+                }
+            }
+        }
+        assertTrue(found > 40, "what is named: " + found);
+    }
+
+    private static boolean isSource(Path file) {
+        return file.toString().contains("src/test/java") || file.toString().contains("src\\test");
     }
 }

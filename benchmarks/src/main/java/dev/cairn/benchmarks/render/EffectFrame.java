@@ -34,7 +34,8 @@ public final class EffectFrame {
                     "filmic",
                     "horizon",
                     "sky-light",
-                    "cascades");
+                    "cascades",
+                    "antialiasing");
 
     private EffectFrame() {}
 

@@ -38,22 +38,19 @@ public final class Offscreen implements AutoCloseable {
     /** Largest width and height, pixels. */
     public static final int MAX_SIZE = 8192;
 
-    private static final int SAMPLES = 4;
-
     private static volatile boolean known;
 
     private final GlContext context;
     private final SceneRenderer renderer;
-    private final FrameTarget target;
+    private FrameTarget target;
     private boolean drawn;
     private boolean closed;
 
     private Offscreen(GlContext context, int width, int height) {
         this.context = context;
-        this.target = new FrameTarget(width, height, SAMPLES);
-        this.renderer =
-                new SceneRenderer(
-                        false, Objects.requireNonNullElse(Effects.ofProperty(), Effects.ALL));
+        Effects effects = Objects.requireNonNullElse(Effects.ofProperty(), Effects.ALL);
+        this.target = new FrameTarget(width, height, effects.antialiasing());
+        this.renderer = new SceneRenderer(false, effects);
     }
 
     /**
@@ -150,6 +147,13 @@ public final class Offscreen implements AutoCloseable {
     public void effects(Effects value) {
         context.check();
         renderer.effects(value);
+        int width = target.width();
+        int height = target.height();
+        if (!target.is(width, height, value.antialiasing())) {
+            target.close();
+            target = new FrameTarget(width, height, value.antialiasing());
+            drawn = false;
+        }
     }
 
     /** Has something drawn over the scenes to come, or nothing. */

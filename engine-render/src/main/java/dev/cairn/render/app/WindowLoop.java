@@ -34,7 +34,6 @@ import java.nio.file.Path;
 
 /** The main thread of an application with a window: events, camera, frames, panels. */
 final class WindowLoop {
-    private static final int SAMPLES = 4;
     private static final double TITLE_SECONDS = 0.5;
 
     /** How long a minimised window sleeps before it looks whether the application has ended, s. */
@@ -288,11 +287,12 @@ final class WindowLoop {
 
     private FrameTarget target(int width, int height) {
         FrameTarget known = target;
-        if (known == null || known.width() != width || known.height() != height) {
+        boolean smooth = chosenEffects().antialiasing();
+        if (known == null || !known.is(width, height, smooth)) {
             if (known != null) {
                 known.close();
             }
-            known = new FrameTarget(width, height, context.isSoftware() ? 1 : SAMPLES);
+            known = new FrameTarget(width, height, smooth);
             target = known;
         }
         return known;

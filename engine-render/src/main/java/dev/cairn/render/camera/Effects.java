@@ -17,6 +17,8 @@ import java.util.List;
  * @param skyLight whether surfaces get the light of the whole half of the sky that they face, and
  *     rough ones mirror it blurred
  * @param cascades whether shadows reach over the whole view, and are finer near the eye
+ * @param antialiasing whether edges are drawn by four samples a pixel, as far as the graphics
+ *     processor can, and not by one
  */
 public record Effects(
         boolean softShadows,
@@ -25,13 +27,14 @@ public record Effects(
         boolean filmic,
         boolean horizon,
         boolean skyLight,
-        boolean cascades) {
+        boolean cascades,
+        boolean antialiasing) {
     /** Everything; what pictures and windows on a graphics processor begin with. */
-    public static final Effects ALL = new Effects(true, true, true, true, true, true, true);
+    public static final Effects ALL = new Effects(true, true, true, true, true, true, true, true);
 
     /** Nothing; what windows on a software rasteriser begin with. */
     public static final Effects PLAIN =
-            new Effects(false, false, false, false, false, false, false);
+            new Effects(false, false, false, false, false, false, false, false);
 
     private static final List<String> NAMES =
             List.of(
@@ -41,14 +44,15 @@ public record Effects(
                     "filmic",
                     "horizon",
                     "sky-light",
-                    "cascades");
+                    "cascades",
+                    "antialiasing");
 
     /**
      * By names, as in the property {@code cairn.effects}.
      *
      * @param names {@code all}, {@code plain}, or some of {@code soft-shadows}, {@code occlusion},
      *     {@code reflections}, {@code filmic}, {@code horizon}, {@code sky-light}, {@code
-     *     cascades}, separated by commas
+     *     cascades}, {@code antialiasing}, separated by commas
      * @return the effects
      * @throws IllegalArgumentException if there is another name
      */
@@ -73,7 +77,8 @@ public record Effects(
                 wanted.contains(NAMES.get(3)),
                 wanted.contains(NAMES.get(4)),
                 wanted.contains(NAMES.get(5)),
-                wanted.contains(NAMES.get(6)));
+                wanted.contains(NAMES.get(6)),
+                wanted.contains(NAMES.get(7)));
     }
 
     /**

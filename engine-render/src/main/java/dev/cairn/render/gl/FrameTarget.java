@@ -31,8 +31,11 @@ import java.nio.IntBuffer;
 
 /** What is drawn into: colour and depth of some samples per pixel, and the same resolved to one. */
 public final class FrameTarget implements AutoCloseable {
+    private static final int SAMPLES = 4;
+
     private final int width;
     private final int height;
+    private final boolean smooth;
     private final int framebuffer;
     private final int colour;
     private final int depth;
@@ -44,12 +47,14 @@ public final class FrameTarget implements AutoCloseable {
      *
      * @param width pixels
      * @param height pixels
-     * @param samples per pixel, as far as the graphics processor can; 0 or 1 = one
+     * @param smooth whether edges are smooth: {@value #SAMPLES} samples per pixel in place of one,
+     *     or as many as the graphics processor can
      */
-    public FrameTarget(int width, int height, int samples) {
+    public FrameTarget(int width, int height, boolean smooth) {
         this.width = width;
         this.height = height;
-        int count = Math.min(samples <= 1 ? 0 : samples, glGetInteger(GL_MAX_SAMPLES));
+        this.smooth = smooth;
+        int count = smooth ? Math.min(SAMPLES, glGetInteger(GL_MAX_SAMPLES)) : 0;
         framebuffer = GlObjects.framebuffer();
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         colour = buffer(GL_RGBA8, count, GL_COLOR_ATTACHMENT0);
@@ -99,6 +104,18 @@ public final class FrameTarget implements AutoCloseable {
      */
     public int height() {
         return height;
+    }
+
+    /**
+     * Whether this is what is wanted, or another has to be made.
+     *
+     * @param wantedWidth pixels
+     * @param wantedHeight pixels
+     * @param wantedSmooth whether with smooth edges
+     * @return true if it is
+     */
+    public boolean is(int wantedWidth, int wantedHeight, boolean wantedSmooth) {
+        return width == wantedWidth && height == wantedHeight && smooth == wantedSmooth;
     }
 
     /** Makes this what is drawn into. */

@@ -1,5 +1,6 @@
 package dev.cairn.render.input;
 
+import java.util.Arrays;
 import java.util.EnumSet;
 
 /**
@@ -8,7 +9,7 @@ import java.util.EnumSet;
  */
 public final class Pointer {
     private final EnumSet<MouseButton> down = EnumSet.noneOf(MouseButton.class);
-    private final EnumSet<MouseButton> pressed = EnumSet.noneOf(MouseButton.class);
+    private final int[] presses = new int[MouseButton.values().length];
     private double x;
     private double y;
     private double across;
@@ -23,7 +24,7 @@ public final class Pointer {
 
     /** Called by the window before the events of a frame. */
     public void nextFrame() {
-        pressed.clear();
+        Arrays.fill(presses, 0);
     }
 
     /**
@@ -52,7 +53,7 @@ public final class Pointer {
     public void button(MouseButton button, boolean isDown) {
         if (isDown) {
             down.add(button);
-            pressed.add(button);
+            presses[button.ordinal()]++;
         } else {
             down.remove(button);
         }
@@ -99,7 +100,18 @@ public final class Pointer {
      * @return true for one frame
      */
     public boolean wasPressed(MouseButton button) {
-        return pressed.contains(button);
+        return presses[button.ordinal()] > 0;
+    }
+
+    /**
+     * How often a button went down since the last frame, outside of the panels: 2 for a double
+     * click in a slow frame.
+     *
+     * @param button which
+     * @return the count, for one frame
+     */
+    public int presses(MouseButton button) {
+        return presses[button.ordinal()];
     }
 
     /**

@@ -43,4 +43,22 @@ class MouseTest {
         assertEquals(List.of("aim 2.0", "steer 1.0", "steer 5.0"), told);
         assertThrows(NullPointerException.class, () -> mouse.onMove(null, (right, down) -> {}));
     }
+
+    /** A slow frame holds a whole double click. */
+    @Test
+    void aFrameKnowsHowOftenAButtonWentDown() {
+        Pointer pointer = new Pointer();
+        pointer.nextFrame();
+        for (int click = 0; click < 2; click++) {
+            pointer.button(MouseButton.LEFT, true);
+            pointer.button(MouseButton.LEFT, false);
+        }
+        assertEquals(2, pointer.presses(MouseButton.LEFT));
+        assertEquals(0, pointer.presses(MouseButton.RIGHT));
+        assertTrue(pointer.wasPressed(MouseButton.LEFT));
+        assertFalse(pointer.isDown(MouseButton.LEFT));
+        pointer.nextFrame();
+        assertEquals(0, pointer.presses(MouseButton.LEFT));
+        assertFalse(pointer.wasPressed(MouseButton.LEFT));
+    }
 }

@@ -2,6 +2,7 @@ package dev.cairn.samples.sandbox;
 
 import dev.cairn.render.app.Pick;
 import dev.cairn.render.app.View;
+import dev.cairn.render.camera.Camera;
 import dev.cairn.render.input.MouseButton;
 import dev.cairn.render.input.Pointer;
 import dev.cairn.render.ui.Ui;
@@ -32,6 +33,7 @@ final class SandboxPanels {
     private static final String[] CHOSEN_TABS = {"[Scenes]", "[Scene]", "[World]"};
     private static final int ROPE = 0xFFE082;
     private static final long DOUBLE_NANOS = 400_000_000;
+
     private static final int PROBLEM = 0xFF7A7A;
 
     private final Sandbox sandbox;
@@ -50,8 +52,9 @@ final class SandboxPanels {
     private final int[] hits;
     private int tab;
     private int shownScene = -1;
-    private long pressedEntity;
+    private long pressedEntity = Camera.NOTHING;
     private long pressedNanos;
+    private long pressedFrame;
     private boolean pulling;
     private volatile boolean hidden;
 
@@ -73,6 +76,11 @@ final class SandboxPanels {
     /** How many scenes the search leaves. */
     int listed() {
         return Arrays.stream(hits).sum();
+    }
+
+    /** The words that are searched for. */
+    String sought() {
+        return sought;
     }
 
     void toggleHidden() {
@@ -141,7 +149,7 @@ final class SandboxPanels {
         if (pointer.wasPressed(MouseButton.LEFT)) {
             Pick pick = view.pick(pointer.across(), pointer.upwards());
             if (pick != null) {
-                if (isDouble(pick.entity())) {
+                if (isDouble(pick.entity(), pointer.presses(MouseButton.LEFT), view.frames())) {
                     sandbox.post(() -> sandbox.follow(pick.entity()));
                     return;
                 }
@@ -173,12 +181,17 @@ final class SandboxPanels {
         }
     }
 
-    /** Whether this press is the second on one thing. */
-    private boolean isDouble(long entity) {
+    /**
+     * Whether this press is the second on one thing. When it was is known to a frame, so that in
+     * slow frames the second one is what comes in the same frame or the next.
+     */
+    private boolean isDouble(long entity, int presses, long frame) {
         long now = System.nanoTime();
-        boolean second = entity == pressedEntity && now - pressedNanos < DOUBLE_NANOS;
-        pressedEntity = entity;
-        pressedNanos = second ? now - DOUBLE_NANOS : now;
+        boolean soon = now - pressedNanos < DOUBLE_NANOS || frame <= pressedFrame + 1;
+        boolean second = presses > 1 || (entity == pressedEntity && soon);
+        pressedEntity = second ? Camera.NOTHING : entity;
+        pressedNanos = now;
+        pressedFrame = frame;
         return second;
     }
 

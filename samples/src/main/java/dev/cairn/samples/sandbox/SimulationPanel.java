@@ -13,6 +13,7 @@ import java.util.Locale;
 
 /** The sandbox's panel on the right: time, plots, debug drawing, solver, ball, window, keys. */
 final class SimulationPanel {
+    static final String SMOOTH = "smooth edges";
     private static final double SLOWEST = 1.0 / 64;
     private static final double FASTEST = 16;
     private static final int MOST_SUBSTEPS = 32;
@@ -222,14 +223,16 @@ final class SimulationPanel {
         boolean horizon = ui.checkbox("ground to the horizon", now.horizon());
         boolean sky = ui.checkbox("light of the whole sky", now.skyLight());
         boolean wide = ui.checkbox("shadows near and far", now.cascades());
+        boolean smooth = ui.checkbox(SMOOTH, now.antialiasing());
         if (soft != now.softShadows()
                 || dim != now.occlusion()
                 || mirrors != now.reflections()
                 || film != now.filmic()
                 || horizon != now.horizon()
                 || sky != now.skyLight()
-                || wide != now.cascades()) {
-            sandbox.effects(new Effects(soft, dim, mirrors, film, horizon, sky, wide));
+                || wide != now.cascades()
+                || smooth != now.antialiasing()) {
+            sandbox.effects(new Effects(soft, dim, mirrors, film, horizon, sky, wide, smooth));
         }
     }
 

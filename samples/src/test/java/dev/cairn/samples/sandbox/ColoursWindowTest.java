@@ -7,6 +7,7 @@ import dev.cairn.samples.window.WindowFixture;
 
 import org.junit.jupiter.api.Test;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 
 /** What the engine knows of bodies, told by their colours and by arrows, in the real window. */
@@ -65,6 +66,45 @@ class ColoursWindowTest extends WindowFixture {
         toggle("colour: island", 1);
         settle();
         look("colour-island");
+    }
+
+    /** The switch changes pixels at edges and no others, and back again all of them. */
+    @Test
+    void edgesAreSmoothByASwitchOnTheRasteriserToo() throws IOException, InterruptedException {
+        await("rest", seen -> seen.number("tick") >= 240);
+        type("key", "p");
+        await("the pause", seen -> seen.flag("paused"));
+        click("Window");
+        await("the switch", seen -> seen.values().containsKey("smooth_edgesY"));
+        while (now().number("smooth_edgesY") > now().number("uiHeight") - 30) {
+            moveTo(880, 500);
+            type("click", "5"); // it is below the panel's edge
+            settle();
+        }
+        BufferedImage rough = screen();
+        look("rough-edges");
+        click("smooth edges");
+        settle();
+        BufferedImage smooth = screen();
+        look("smooth-edges");
+        int[] changed = changed(rough, smooth);
+        assertTrue(changed[0] > 300, changed[0] + " pixels changed");
+        assertTrue(changed[0] < 0.1 * changed[1], changed[0] + " pixels changed");
+        click("smooth edges");
+        settle();
+        assertEquals(0, changed(rough, screen())[0], "as before");
+    }
+
+    /** Pixels between the panels that are another colour, and all of them. */
+    private static int[] changed(BufferedImage before, BufferedImage after) {
+        int[] counts = new int[2];
+        for (int y = 100; y < 500; y++) {
+            for (int x = 330; x < 690; x++) {
+                counts[0] += before.getRGB(x, y) == after.getRGB(x, y) ? 0 : 1;
+                counts[1]++;
+            }
+        }
+        return counts;
     }
 
     /** Pixels in the picture's middle that have the colour of an arrow. */

@@ -101,7 +101,12 @@ final class SandboxProbe extends Sandbox {
             line.append(WindowFixture.middle(ui, widget));
         }
         for (String button :
-                List.of(KeyRows.TAKE, KeyRows.LEAVE, KeyRows.RESET, TimePanel.FORGET)) {
+                List.of(
+                        KeyRows.TAKE,
+                        KeyRows.LEAVE,
+                        KeyRows.RESET,
+                        TimePanel.FORGET,
+                        SimulationPanel.SMOOTH)) {
             line.append(WindowFixture.middle(ui, button));
         }
         for (String section : SECTIONS) {

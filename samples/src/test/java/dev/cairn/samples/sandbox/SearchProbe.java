@@ -32,13 +32,14 @@ final class SearchProbe extends Sandbox {
         int listed = scenePanels().listed();
         StringBuilder line =
                 new StringBuilder(
-                        "frame=%d tick=%d scene=%d paused=%b listed=%d"
+                        "frame=%d tick=%d scene=%d paused=%b listed=%d sought=%s"
                                 .formatted(
                                         view.frames(),
                                         state.tick,
                                         state.scene,
                                         isPaused(),
-                                        listed));
+                                        listed,
+                                        scenePanels().sought().replace(' ', '_')));
         line.append(WindowFixture.middle(ui, SandboxPanels.SEARCH));
         double[] at = ui.boundsOf(SCENES.get(1).title());
         if (at != null) {

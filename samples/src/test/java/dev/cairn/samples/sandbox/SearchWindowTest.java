@@ -1,5 +1,6 @@
 package dev.cairn.samples.sandbox;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -29,13 +30,17 @@ class SearchWindowTest extends WindowFixture {
         click("search");
         settle();
         type("type", "dominoes");
-        await("an empty list", seen -> seen.number("listed") == 0);
+        // the whole word: letters that come in one frame with the next keys would follow those
+        await("an empty list", seen -> seen.is("sought", "dominoes"));
+        assertEquals(0, now().number("listed"), last);
         type("key", "ctrl+a");
         settle();
         type("key", "BackSpace");
-        await("all scenes", seen -> seen.number("listed") >= 4);
+        await("all scenes", seen -> seen.is("sought", ""));
+        assertTrue(now().number("listed") >= 4, last);
         type("type", "FRICTION slope");
-        await("one scene", seen -> seen.number("listed") == 1);
+        await("one scene", seen -> seen.is("sought", "FRICTION_slope"));
+        assertEquals(1, now().number("listed"), last);
         settle();
         look("search");
         assertFalse(now().flag("paused"), "letters of the field are no keys: " + last);

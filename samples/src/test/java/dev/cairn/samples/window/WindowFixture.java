@@ -81,7 +81,7 @@ public abstract class WindowFixture {
 
     /** How long the whole test may take, from its beginning. */
     public long deadlineSeconds() {
-        return Long.getLong("window.seconds", 90);
+        return Long.getLong("window.seconds", 240);
     }
 
     /** One frame. */
@@ -177,7 +177,7 @@ public abstract class WindowFixture {
 
     /** Waits until the program has ended by itself; its exit code. */
     public int ended() throws InterruptedException {
-        if (!sandbox.waitFor(20, TimeUnit.SECONDS)) {
+        if (!sandbox.waitFor(deadline - System.nanoTime(), TimeUnit.NANOSECONDS)) {
             fail("the window is still open; the last frame was: " + last);
         }
         return sandbox.exitValue();
@@ -203,7 +203,7 @@ public abstract class WindowFixture {
     }
 
     /** The class path of this process, for one that runs in another folder. */
-    private static String wholeClassPath() {
+    static String wholeClassPath() {
         List<String> whole = new ArrayList<>();
         for (String entry : System.getProperty("java.class.path").split(File.pathSeparator)) {
             whole.add(Path.of(entry).toAbsolutePath().toString());
