@@ -1,6 +1,6 @@
 package dev.cairn.render.input;
 
-import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.EnumSet;
 
 /**
@@ -9,7 +9,7 @@ import java.util.EnumSet;
  */
 public final class Pointer {
     private final EnumSet<MouseButton> down = EnumSet.noneOf(MouseButton.class);
-    private final int[] presses = new int[MouseButton.values().length];
+    private final EnumMap<MouseButton, Integer> presses = new EnumMap<>(MouseButton.class);
     private double x;
     private double y;
     private double across;
@@ -24,7 +24,7 @@ public final class Pointer {
 
     /** Called by the window before the events of a frame. */
     public void nextFrame() {
-        Arrays.fill(presses, 0);
+        presses.clear();
     }
 
     /**
@@ -53,7 +53,7 @@ public final class Pointer {
     public void button(MouseButton button, boolean isDown) {
         if (isDown) {
             down.add(button);
-            presses[button.ordinal()]++;
+            presses.merge(button, 1, Integer::sum);
         } else {
             down.remove(button);
         }
@@ -100,7 +100,7 @@ public final class Pointer {
      * @return true for one frame
      */
     public boolean wasPressed(MouseButton button) {
-        return presses[button.ordinal()] > 0;
+        return presses.containsKey(button);
     }
 
     /**
@@ -111,7 +111,7 @@ public final class Pointer {
      * @return the count, for one frame
      */
     public int presses(MouseButton button) {
-        return presses[button.ordinal()];
+        return presses.getOrDefault(button, 0);
     }
 
     /**
