@@ -246,7 +246,7 @@ public final class Assemblies implements Stateful {
             rows[a][k] = store.rows[list.source[m]];
         }
         for (int a = 0; a < count; a++) {
-            Assembly assembly = new Assembly(body[a], joint[a], end[a], rows[a]);
+            Assembly assembly = new Assembly(body[a], joint[a], end[a], rows[a], arms(joint[a]));
             for (int j : joint[a]) {
                 for (int r = store.firstRow[j]; r < store.firstRow[j] + store.rows[j]; r++) {
                     assembly.isRigid &= store.role[r] == JointStore.LOCK;
@@ -254,6 +254,17 @@ public final class Assemblies implements Stateful {
             }
             all.add(assembly);
         }
+    }
+
+    /** Where joints are in the frames of their bodies, m. */
+    private double[] arms(int[] joint) {
+        double[] arm = new double[6 * joint.length];
+        for (int k = 0; k < joint.length; k++) {
+            int f = JointStore.FRAME * joint[k];
+            System.arraycopy(store.frame, f, arm, 6 * k, 3);
+            System.arraycopy(store.frame, f + 7, arm, 6 * k + 3, 3);
+        }
+        return arm;
     }
 
     /**

@@ -194,7 +194,7 @@ public final class Assembly {
         return parts > 1;
     }
 
-    Assembly(int[] body, int[] joint, int[] end, int[] rows) {
+    Assembly(int[] body, int[] joint, int[] end, int[] rows, double[] arms) {
         this.body = body;
         this.joint = joint;
         this.end = end;
@@ -215,8 +215,8 @@ public final class Assembly {
         factors = new BlockFactors(isDirect ? order : new Elimination(0, new int[0], new int[0]));
         gradients =
                 isDirect
-                        ? new ConjugateGradients(0, new int[0], new int[1])
-                        : new ConjugateGradients(body.length, end, firstRow);
+                        ? ConjugateGradients.none()
+                        : new ConjugateGradients(body.length, end, firstRow, arms);
         system = isDirect ? factors : gradients;
         derivative = new double[JointMath.JACOBIAN * n];
         arm = new double[3 * joint.length];

@@ -20,7 +20,7 @@ abstract class AssemblyEquations {
 
     private static final SolverContext NONE = new SolverContext(Tuning.DEFAULT);
     private static final Assembly EMPTY =
-            new Assembly(new int[0], new int[0], new int[0], new int[0]);
+            new Assembly(new int[0], new int[0], new int[0], new int[0], new double[0]);
 
     final JointMath math = new JointMath();
     SolverContext tick = NONE;
