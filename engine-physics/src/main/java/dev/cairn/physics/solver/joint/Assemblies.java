@@ -246,7 +246,7 @@ public final class Assemblies implements Stateful {
             rows[a][k] = store.rows[list.source[m]];
         }
         for (int a = 0; a < count; a++) {
-            Assembly assembly = new Assembly(body[a], joint[a], end[a], rows[a], arms(joint[a]));
+            Assembly assembly = assembly(body[a], joint[a], end[a], rows[a]);
             for (int j : joint[a]) {
                 for (int r = store.firstRow[j]; r < store.firstRow[j] + store.rows[j]; r++) {
                     assembly.isRigid &= store.role[r] == JointStore.LOCK;
@@ -256,15 +256,29 @@ public final class Assemblies implements Stateful {
         }
     }
 
-    /** Where joints are in the frames of their bodies, m. */
-    private double[] arms(int[] joint) {
+    private Assembly assembly(int[] body, int[] joint, int[] end, int[] rows) {
         double[] arm = new double[6 * joint.length];
+        double[] axes = new double[9 * joint.length];
+        double[] own = new double[9];
+        boolean isPoints = true;
         for (int k = 0; k < joint.length; k++) {
-            int f = JointStore.FRAME * joint[k];
+            int j = joint[k];
+            int f = JointStore.FRAME * j;
             System.arraycopy(store.frame, f, arm, 6 * k, 3);
             System.arraycopy(store.frame, f + 7, arm, 6 * k + 3, 3);
+            JointMath.axes(store.frame, f + 3, own);
+            isPoints &= rows[k] == 3;
+            int first = store.firstRow[j];
+            for (int r = 0; r < rows[k] && isPoints; r++) {
+                int axis = store.law[first + r] - JointStore.SLIDE;
+                isPoints = store.role[first + r] == JointStore.LOCK && axis >= 0 && axis < 3;
+                isPoints &= store.target[first + r] == 0;
+                if (isPoints) {
+                    System.arraycopy(own, 3 * axis, axes, 9 * k + 3 * r, 3);
+                }
+            }
         }
-        return arm;
+        return new Assembly(body, joint, end, rows, isPoints, arm, axes);
     }
 
     /**

@@ -1,6 +1,7 @@
 package dev.cairn.physics.solver.joint;
 
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.joint.net.PointNet;
 
 import java.util.Arrays;
 
@@ -10,6 +11,15 @@ import java.util.Arrays;
  * <p>Made by {@link Assemblies} when joints come, go, sleep or wake.
  */
 public final class Assembly {
+    /** The linear system: bodies and joints are its nodes, in this order. */
+    interface Matrix {
+        /** First unknown of a node. */
+        int unknown(int node);
+
+        /** Right-hand side, then the solution. */
+        double[] x();
+    }
+
     /** Patience beyond which it is taken to fail always. */
     private static final int ROUGH = 16;
 
@@ -45,8 +55,16 @@ public final class Assembly {
     final BlockFactors factors;
     final ConjugateGradients gradients;
 
+    /** The numbers of a net of balls, if it can be one; whether it is one in this tick. */
+    final PointNet net;
+
+    boolean isNet;
+
+    /** Of that: inner radius of its smallest body, m. */
+    double size;
+
     /** That of the two which is used. */
-    final AssemblySystem system;
+    final Matrix system;
 
     /** By row: its derivatives, {@link JointMath#JACOBIAN} each, in world axes. */
     final double[] derivative;
@@ -194,7 +212,14 @@ public final class Assembly {
         return parts > 1;
     }
 
-    Assembly(int[] body, int[] joint, int[] end, int[] rows, double[] arms) {
+    Assembly(
+            int[] body,
+            int[] joint,
+            int[] end,
+            int[] rows,
+            boolean isPoints,
+            double[] arms,
+            double[] axes) {
         this.body = body;
         this.joint = joint;
         this.end = end;
@@ -217,6 +242,7 @@ public final class Assembly {
                 isDirect
                         ? ConjugateGradients.none()
                         : new ConjugateGradients(body.length, end, firstRow, arms);
+        net = new PointNet(isPoints && !isDirect, body.length, end, arms, axes);
         system = isDirect ? factors : gradients;
         derivative = new double[JointMath.JACOBIAN * n];
         arm = new double[3 * joint.length];

@@ -18,9 +18,16 @@ abstract class AssemblyEquations {
     /** The same where Newton's method fails, and where gaps are closed aside. */
     private static final double SOFT = 2e-6;
 
-    private static final SolverContext NONE = new SolverContext(Tuning.DEFAULT);
-    private static final Assembly EMPTY =
-            new Assembly(new int[0], new int[0], new int[0], new int[0], new double[0]);
+    static final SolverContext NONE = new SolverContext(Tuning.DEFAULT);
+    static final Assembly EMPTY =
+            new Assembly(
+                    new int[0],
+                    new int[0],
+                    new int[0],
+                    new int[0],
+                    false,
+                    new double[0],
+                    new double[0]);
 
     final JointMath math = new JointMath();
     SolverContext tick = NONE;
@@ -197,7 +204,7 @@ abstract class AssemblyEquations {
 
     /** Solves for right-hand sides that are in {@link Assembly#now}. */
     void solve() {
-        AssemblySystem f = s.system;
+        Assembly.Matrix f = s.system;
         double[] x = f.x();
         for (int i = 0; i < s.body.length; i++) {
             int u = f.unknown(i);
@@ -224,7 +231,7 @@ abstract class AssemblyEquations {
 
     /** Adds the impulses of the solution. */
     void addImpulses() {
-        AssemblySystem f = s.system;
+        Assembly.Matrix f = s.system;
         for (int k = 0; k < s.joint.length; k++) {
             int u = f.unknown(s.body.length + k);
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {

@@ -15,7 +15,7 @@ import java.util.Arrays;
  * Elimination} names are stored, so a tree costs a fixed amount to a body. One worker at a time.
  * Allocates when it is made.
  */
-final class BlockFactors implements AssemblySystem {
+final class BlockFactors implements Assembly.Matrix {
     /** Unknowns to a body. */
     static final int BODY = 6;
 

@@ -1,5 +1,7 @@
 package dev.cairn.physics.solver.joint;
 
+import dev.cairn.physics.solver.joint.net.JointPaths;
+
 import java.util.Arrays;
 
 /**
@@ -19,7 +21,7 @@ import java.util.Arrays;
  * <p>Sums run in the order of joints, so bits do not depend on who solves. A round costs one pass
  * over the rows. Allocates when it is made.
  */
-final class ConjugateGradients implements AssemblySystem {
+final class ConjugateGradients implements Assembly.Matrix {
     private static final int BODY = BlockFactors.BODY;
     private static final int SIDES = JointMath.JACOBIAN;
 

@@ -189,6 +189,7 @@ final class Elimination {
         }
         int done = 0;
         int links = 0;
+        long pairs = 0;
         while (!queue.isEmpty()) {
             long next = queue.remove();
             int i = (int) next;
@@ -204,7 +205,8 @@ final class Elimination {
             place[i] = done;
             node[done++] = i;
             first[done] = links + degree[i];
-            if (links + degree[i] > DENSE * nodes) {
+            pairs += degree[i] * (degree[i] + 1L) / 2;
+            if (links + degree[i] > DENSE * nodes || pairs > (long) DENSE * nodes) {
                 return false;
             }
             if (later.length < links + degree[i]) {
@@ -250,7 +252,7 @@ final class Elimination {
             }
             updates += d * (d + 1) / 2;
         }
-        if (updates > (long) DENSE * nodes || total > Integer.MAX_VALUE / 2) {
+        if (total > Integer.MAX_VALUE / 2) {
             return false;
         }
         entries = (int) total;

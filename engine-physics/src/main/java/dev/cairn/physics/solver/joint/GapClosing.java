@@ -138,7 +138,7 @@ abstract class GapClosing extends HoldingRows {
      * is cut to twice the way that a gap is closed by.
      */
     void shift() {
-        AssemblySystem f = s.system;
+        Assembly.Matrix f = s.system;
         double[] x = f.x();
         SolverBodies body = tick.body;
         double part = 1;
@@ -170,7 +170,7 @@ abstract class GapClosing extends HoldingRows {
     }
 
     /** A share of a way that is no more than twice as far as allowed. */
-    private static double cut(double part, double way, double reach) {
+    static double cut(double part, double way, double reach) {
         return way * part > 2 * reach ? 2 * reach / way : part;
     }
 

@@ -92,6 +92,23 @@ public final class JointMath {
         q[3] = qa[3] * qb[3] + qa[0] * qb[0] + qa[1] * qb[1] + qa[2] * qb[2];
     }
 
+    /** Axes of a frame with a quaternion, row by row. */
+    static void axes(double[] q, int at, double[] axes) {
+        double x = q[at];
+        double y = q[at + 1];
+        double z = q[at + 2];
+        double w = q[at + 3];
+        axes[0] = 1 - 2 * (y * y + z * z);
+        axes[1] = 2 * (x * y + w * z);
+        axes[2] = 2 * (x * z - w * y);
+        axes[3] = 2 * (x * y - w * z);
+        axes[4] = 1 - 2 * (x * x + z * z);
+        axes[5] = 2 * (y * z + w * x);
+        axes[6] = 2 * (x * z + w * y);
+        axes[7] = 2 * (y * z - w * x);
+        axes[8] = 1 - 2 * (x * x + y * y);
+    }
+
     /** World frame of a joint in a body. */
     private static void frame(
             BodyStore b, int i, double[] local, int f, double[] q, double[] arm, double[] axes) {
@@ -111,15 +128,7 @@ public final class JointMath {
         q[1] = y;
         q[2] = z;
         q[3] = w;
-        axes[0] = 1 - 2 * (y * y + z * z);
-        axes[1] = 2 * (x * y + w * z);
-        axes[2] = 2 * (x * z - w * y);
-        axes[3] = 2 * (x * y - w * z);
-        axes[4] = 1 - 2 * (x * x + z * z);
-        axes[5] = 2 * (y * z + w * x);
-        axes[6] = 2 * (x * z + w * y);
-        axes[7] = 2 * (y * z - w * x);
-        axes[8] = 1 - 2 * (x * x + y * y);
+        axes(q, 0, axes);
         double lx = local[f];
         double ly = local[f + 1];
         double lz = local[f + 2];

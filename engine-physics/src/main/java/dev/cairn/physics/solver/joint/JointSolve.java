@@ -60,10 +60,11 @@ public final class JointSolve extends PositionTrial {
     private static final double CLOSED = 1e-13;
 
     /** Turning speed at which a joint that is out of place is turned back, rad/s. */
-    private static final double TURN_BACK = 10;
+    static final double TURN_BACK = 10;
 
     private final JointEnergy energy = new JointEnergy();
     private final Tension tension = new Tension();
+    private final NetSolve nets = new NetSolve(NONE, store, EMPTY);
 
     /** Takes an assembly to work. */
     public void open(SolverContext context, SubStep sub, JointStore joints, Assembly assembly) {
@@ -82,6 +83,7 @@ public final class JointSolve extends PositionTrial {
         store = joints;
         push = sub.pushSpeed / way;
         turnBack = TURN_BACK / way;
+        nets.open(context, joints, assembly, push);
     }
 
     // Position half -------------------------------------------------------------------------------
@@ -92,6 +94,10 @@ public final class JointSolve extends PositionTrial {
      * @param scale of the impulses that were kept
      */
     public void warm(double scale) {
+        if (s.isNet) {
+            nets.warm(scale, s.keeps ? GAIN : Double.POSITIVE_INFINITY);
+            return;
+        }
         s.calm();
         Arrays.fill(s.blows, 0, Assembly.POINTS * s.standCount, 0.0);
         derive();
@@ -121,14 +127,28 @@ public final class JointSolve extends PositionTrial {
         if (s.keeps) {
             energy.settle(tick, s, true);
         }
+        finish();
+    }
+
+    /** Impulses that are kept elsewhere in a tick are given back to the rows. */
+    void finish() {
+        if (s.isNet) {
+            nets.end();
+        }
+    }
+
+    /** Begin of a tick: whether the assembly is solved as a {@link PointNet}. */
+    void choose() {
+        s.isNet = nets.begin();
+        s.isFresh = false;
     }
 
     /** Begin of a tick: bodies may be elsewhere, and weigh otherwise. */
     public void begin(SubStep sub) {
-        s.isFresh = false;
+        choose();
         s.keeps = JointEnergy.keeps(tick, store, s);
         findDrives();
-        s.parts = Tension.parts(s, sub.seconds * tension.quickest(tick, store, s));
+        s.parts = s.isDirect ? Tension.parts(s, sub.seconds * tension.quickest(tick, store, s)) : 1;
     }
 
     /**
@@ -146,6 +166,10 @@ public final class JointSolve extends PositionTrial {
 
     /** Without a first guess; where solutions are rough, with the last impulses. */
     void start() {
+        if (s.isNet) {
+            nets.warm(1, GAIN);
+            return;
+        }
         s.calm();
         derive();
         Arrays.fill(s.impulse, 0.0);
@@ -163,6 +187,34 @@ public final class JointSolve extends PositionTrial {
         }
     }
 
+    @Override
+    public void beginVelocity(boolean warm, boolean counts) {
+        if (s.isNet) {
+            boolean isBound = s.keeps && counts;
+            nets.beginVelocity(warm && counts, isBound ? GAIN : Double.POSITIVE_INFINITY);
+        } else {
+            super.beginVelocity(warm, counts);
+        }
+    }
+
+    @Override
+    void velocity(double seconds, boolean counts) {
+        if (s.isNet) {
+            nets.velocity(seconds, counts);
+        } else {
+            super.velocity(seconds, counts);
+        }
+    }
+
+    @Override
+    public void velocity(SubStep sub, boolean counts, ConstraintRows rows) {
+        if (s.isNet) {
+            nets.velocity(sub.seconds, counts);
+        } else {
+            super.velocity(sub, counts, rows);
+        }
+    }
+
     /**
      * Finds the impulses with which the bodies' movement closes the joints.
      *
@@ -171,6 +223,10 @@ public final class JointSolve extends PositionTrial {
      */
     public void position(double seconds, boolean stay) {
         h = seconds;
+        if (s.isNet) {
+            nets.position(seconds, stay, GAIN);
+            return;
+        }
         changes = 0;
         activate(true);
         double most = GAIN * kinetic();

@@ -37,8 +37,8 @@ public final class Swing {
         boolean isReversible = s.isDirect && !s.isRough() && isReversible(tick.bodies, s);
         solve.open(tick, sub, store, s, isReversible ? 8 * OUTER - 1 : 1);
         solve.findDrives();
-        s.isFresh = false;
-        double quick = sub.seconds * tension.quickest(tick, store, s);
+        solve.choose();
+        double quick = s.isDirect ? sub.seconds * tension.quickest(tick, store, s) : 0;
         int parts = isReversible ? Tension.partsOfFive(quick) : Tension.parts(s, quick);
         double h = sub.seconds / parts;
         for (int k = 0; k < sub.count * parts; k++) {
@@ -56,6 +56,7 @@ public final class Swing {
                 energy.settle(tick, s, false);
             }
         }
+        solve.finish();
     }
 
     private static boolean isReversible(BodyStore b, Assembly s) {

@@ -1,4 +1,4 @@
-package dev.cairn.physics.solver.joint;
+package dev.cairn.physics.solver.joint.net;
 
 import java.util.Arrays;
 
@@ -10,12 +10,12 @@ import java.util.Arrays;
  * <p>What joints of a path do to each other is so a block tridiagonal matrix, which is solved at
  * the cost of a sweep. Made when who is bound to whom changes; allocates.
  */
-final class JointPaths {
+public final class JointPaths {
     /** Joints, path after path. */
-    final int[] joint;
+    public final int[] joint;
 
     /** By place in that: whether a path begins there. */
-    final boolean[] begins;
+    public final boolean[] begins;
 
     /** A path goes on where it turns by less than 60 degrees. */
     private static final double STRAIGHT = -0.5;
@@ -39,7 +39,7 @@ final class JointPaths {
      * @param end bodies of each joint, -1 for one that does not move
      * @param arm by end of a joint: its place in the body's frame, three numbers
      */
-    JointPaths(int bodies, int[] end, double[] arm) {
+    public JointPaths(int bodies, int[] end, double[] arm) {
         this.end = end;
         this.arm = arm;
         int joints = end.length / 2;

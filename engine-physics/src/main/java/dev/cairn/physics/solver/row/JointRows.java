@@ -1,13 +1,11 @@
-package dev.cairn.physics.solver.joint;
+package dev.cairn.physics.solver.row;
 
 import dev.cairn.physics.solver.body.SolverContext;
-import dev.cairn.physics.solver.row.KindRows;
-import dev.cairn.physics.solver.row.Scratch;
-import dev.cairn.physics.solver.row.SubStep;
 
 /**
- * The places of joints among the rows that are swept: nothing is done there, as {@link Assembly}
- * solves all joints that hang together at once. They tell islands and batches who is bound to whom.
+ * The places of joints among the rows that are swept: nothing is done there, as an assembly of
+ * {@code solver.joint} solves all joints that hang together at once. They tell islands and batches
+ * who is bound to whom.
  */
 public final class JointRows implements KindRows {
     /** Rows of either precision. */

@@ -1,0 +1,363 @@
+package dev.cairn.physics.solver.joint;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.JointStore;
+import dev.cairn.physics.solver.body.Motion;
+import dev.cairn.physics.solver.body.Rotation;
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.body.SolverContext;
+import dev.cairn.physics.solver.joint.net.PointNet;
+
+import java.util.Arrays;
+
+/**
+ * The halves of a sub-step of a {@link PointNet}, by the same steps as {@link JointSolve} does them
+ * for rows of any kind: one round of Newton's method before the bodies move, what is open closed
+ * aside, and what joints do not allow taken from the velocities.
+ *
+ * <p>One to a worker. Does not allocate.
+ */
+final class NetSolve {
+    /** What is missing by less than this share of a body's size is no matter. */
+    private static final double CLOSED = 1e-13;
+
+    /** The same of gaps that are closed aside. */
+    private static final double NEARLY = 1e-9;
+
+    private static final double SLACK = 1e-10;
+    private static final double SOFT = 2e-6;
+
+    private final InnerMotion inner = new InnerMotion();
+    private final JointMath math = new JointMath();
+    private SolverContext tick;
+    private JointStore store;
+    private Assembly s;
+    private PointNet net;
+
+    /** Speed at which gaps are closed, m/s. */
+    private double push;
+
+    NetSolve(SolverContext tick, JointStore store, Assembly none) {
+        this.tick = tick;
+        this.store = store;
+        s = none;
+        net = none.net;
+    }
+
+    void open(SolverContext context, JointStore joints, Assembly assembly, double pushSpeed) {
+        tick = context;
+        store = joints;
+        s = assembly;
+        net = assembly.net;
+        push = pushSpeed;
+    }
+
+    /** Begin of a tick: whether the assembly is a net of balls now, and if so, its numbers. */
+    boolean begin() {
+        if (!net.isPoints) {
+            return false;
+        }
+        double size = Double.POSITIVE_INFINITY;
+        for (int i : s.body) {
+            if (!tick.body.axes.isIsotropic(i) || tick.bodies.motionFlags[i] != 0) {
+                return false;
+            }
+            size = Math.min(size, tick.bodies.outerRadius[i]);
+        }
+        s.size = size;
+        for (int n = 0; n < s.body.length; n++) {
+            double root = tick.body.root[(s.body[n] + 1) * SolverBodies.ROOT];
+            net.mass[n] = tick.body.state[SolverBodies.offset(s.body[n]) + SolverBodies.MASS];
+            net.spin[n] = root * root;
+        }
+        for (int p = 0; p < net.joint.length; p++) {
+            look(p);
+        }
+        return true;
+    }
+
+    /** Begin of a tick: distance, what does not move, and last impulses of a joint. */
+    private void look(int p) {
+        int k = net.joint[p];
+        int j = s.joint[k];
+        int a = store.bodyA[j];
+        int b = store.bodyB[j];
+        net.apart[3 * p] = tick.bodies.apartX(a, b);
+        net.apart[3 * p + 1] = tick.bodies.apartY(a, b);
+        net.apart[3 * p + 2] = tick.bodies.apartZ(a, b);
+        boolean isA = s.end[2 * k] < 0;
+        if (isA || s.end[2 * k + 1] < 0) {
+            int o = isA ? 0 : SolverBodies.offset(s.body[s.end[2 * k]]);
+            int q = isA ? SolverBodies.offset(s.body[s.end[2 * k + 1]]) : 0;
+            math.look(tick.bodies, tick.body.state, store, j, o, q);
+            System.arraycopy(isA ? math.armA : math.armB, 0, net.local, 6 * p + (isA ? 0 : 3), 3);
+        }
+        int row = store.firstRow[j];
+        for (int r = 0; r < 3 && isA; r++) {
+            int e = 3 * (store.law[row + r] - JointStore.SLIDE);
+            System.arraycopy(math.axesA, e, net.axes, 9 * p + 3 * r, 3);
+        }
+        net.fill(store.before, row, net.before, p);
+        net.fill(store.after, row, net.after, p);
+    }
+
+    /** Gives the impulses back to the rows. */
+    void end() {
+        for (int p = 0; p < net.joint.length; p++) {
+            int row = store.firstRow[s.joint[net.joint[p]]];
+            net.give(net.before, p, store.before, row);
+            net.give(net.after, p, store.after, row);
+        }
+    }
+
+    /** The impulses of the last sub-step, unless they add too much energy. */
+    void warm(double scale, double gain) {
+        derive();
+        start(net.before, scale, gain);
+    }
+
+    private void start(double[] first, double scale, double gain) {
+        double most = gain * kinetic();
+        net.remind(first, scale);
+        net.apply(net.impulse);
+        add(net.linear, net.angular, 1);
+        if (!(kinetic() <= most)) {
+            release();
+        }
+    }
+
+    private void release() {
+        net.apply(net.impulse);
+        add(net.linear, net.angular, -1);
+        Arrays.fill(net.impulse, 0.0);
+    }
+
+    private double kinetic() {
+        return JointEnergy.kinetic(tick, s);
+    }
+
+    /** Adds changes of velocity. It is no part of the warm start. */
+    private void add(double[] linear, double[] angular, double sign) {
+        double[] v = tick.body.state;
+        double[] mark = tick.body.mark;
+        for (int n = 0; n < s.body.length; n++) {
+            int o = SolverBodies.offset(s.body[n]);
+            int w = (s.body[n] + 1) * SolverBodies.HALF;
+            double root = tick.body.root[(s.body[n] + 1) * SolverBodies.ROOT];
+            double inverse = root > 0 ? sign / root : 0;
+            for (int c = 0; c < 3; c++) {
+                double x = sign * linear[3 * n + c];
+                double t = inverse * angular[3 * n + c];
+                v[o + c] += x;
+                mark[w + c] += x;
+                v[o + 3 + c] += t;
+                mark[w + 3 + c] += t;
+            }
+        }
+    }
+
+    /** Arms and gaps in the poses of now. */
+    private void derive() {
+        if (s.isFresh) {
+            return;
+        }
+        where();
+        net.derive(tick.bodies, s.body);
+        s.isFresh = true;
+        s.isFactored = false;
+    }
+
+    /** Where the bodies are now. */
+    private void where() {
+        for (int n = 0; n < s.body.length; n++) {
+            int p = SolverBodies.offset(s.body[n]) + SolverBodies.P;
+            System.arraycopy(tick.body.state, p, net.linear, 3 * n, 3);
+        }
+        Arrays.fill(net.linear, 3 * net.bodies, 3 * net.bodies + 3, 0.0);
+    }
+
+    private void factor(double slack) {
+        net.factor(slack, s.isFactored);
+        s.isFactored = true;
+    }
+
+    /** One round of Newton's method; moves the bodies if they are to stay. */
+    void position(double h, boolean stay, double gain) {
+        derive();
+        double most = gain * kinetic();
+        keep();
+        move(h);
+        where();
+        net.look(tick.bodies, s.body);
+        restore();
+        double worst = 0;
+        double tiny = HoldingRows.tiny(false);
+        for (int r = 0; r < net.missing.length; r++) {
+            double gap = net.gap[r];
+            double miss = net.missing[r] - (Math.abs(gap) > tiny ? gap : 0);
+            worst = Math.max(worst, Math.abs(miss));
+            net.missing[r] = -miss / h;
+        }
+        if (!(worst <= CLOSED * s.size)) {
+            correct();
+            if (!(kinetic() <= most)) {
+                release();
+            }
+        }
+        if (stay) {
+            move(h);
+        }
+        net.keep(net.before);
+        for (int p = 0; p < net.joint.length; p++) {
+            int at = 6 * s.joint[net.joint[p]];
+            for (int c = 0; c < 3; c++) {
+                store.reaction[at + c] = net.impulse[3 * p + c] / h;
+                store.reaction[at + 3 + c] = 0;
+            }
+        }
+    }
+
+    private void correct() {
+        factor(SLACK);
+        net.solve();
+        for (int r = 0; r < net.impulse.length; r++) {
+            net.impulse[r] += net.solution[r];
+        }
+        add(net.linearSum, net.angularSum, 1);
+    }
+
+    private void move(double h) {
+        double[] g = tick.gravity;
+        for (int i : s.body) {
+            Motion.drift(tick.bodies, tick.body, i, g[0], g[1], g[2], h);
+        }
+    }
+
+    private void keep() {
+        BodyStore b = tick.bodies;
+        for (int n = 0; n < s.body.length; n++) {
+            int i = s.body[n];
+            int at = 10 * n;
+            System.arraycopy(
+                    tick.body.state, SolverBodies.offset(i) + SolverBodies.P, net.kept, at, 6);
+            net.kept[at + 6] = b.orientationX[i];
+            net.kept[at + 7] = b.orientationY[i];
+            net.kept[at + 8] = b.orientationZ[i];
+            net.kept[at + 9] = b.orientationW[i];
+        }
+    }
+
+    private void restore() {
+        BodyStore b = tick.bodies;
+        for (int n = 0; n < s.body.length; n++) {
+            int i = s.body[n];
+            int at = 10 * n;
+            System.arraycopy(
+                    net.kept, at, tick.body.state, SolverBodies.offset(i) + SolverBodies.P, 6);
+            b.orientationX[i] = net.kept[at + 6];
+            b.orientationY[i] = net.kept[at + 7];
+            b.orientationZ[i] = net.kept[at + 8];
+            b.orientationW[i] = net.kept[at + 9];
+        }
+    }
+
+    /**
+     * After the bodies have moved.
+     *
+     * @param isWarm whether to begin with the impulses of the last sub-step
+     */
+    void beginVelocity(boolean isWarm, double gain) {
+        s.isFresh = false;
+        derive();
+        if (isWarm) {
+            start(net.after, 1, gain);
+        } else {
+            Arrays.fill(net.impulse, 0.0);
+        }
+    }
+
+    /** Takes from the velocities what the joints do not allow. */
+    void velocity(double h, boolean counts) {
+        close(h);
+        double[] v = tick.body.state;
+        for (int n = 0; n < s.body.length; n++) {
+            int o = SolverBodies.offset(s.body[n]);
+            double root = tick.body.root[(s.body[n] + 1) * SolverBodies.ROOT];
+            for (int c = 0; c < 3; c++) {
+                net.linear[3 * n + c] = v[o + c];
+                net.angular[3 * n + c] = root * v[o + 3 + c];
+            }
+        }
+        Arrays.fill(net.linear, 3 * net.bodies, 3 * net.bodies + 3, 0.0);
+        Arrays.fill(net.angular, 3 * net.bodies, 3 * net.bodies + 3, 0.0);
+        net.speeds(net.missing);
+        double worst = 0;
+        for (int r = 0; r < net.missing.length; r++) {
+            worst = Math.max(worst, Math.abs(net.missing[r]));
+            net.missing[r] = -net.missing[r];
+        }
+        if (!(worst * Math.abs(h) <= CLOSED * s.size)) {
+            correct();
+        }
+        if (!counts) {
+            return;
+        }
+        net.keep(net.after);
+        for (int p = 0; p < net.joint.length; p++) {
+            int at = 6 * s.joint[net.joint[p]];
+            for (int c = 0; c < 3; c++) {
+                store.reaction[at + c] += net.impulse[3 * p + c] / h;
+            }
+        }
+    }
+
+    /** Closes what is open by moving bodies, without any speed; see {@link GapClosing}. */
+    private void close(double h) {
+        double reach = push * Math.abs(h);
+        double worst = 0;
+        for (int r = 0; r < net.missing.length; r++) {
+            double gap = HoldingRows.within(net.gap[r], reach);
+            worst = Math.max(worst, Math.abs(gap));
+            net.missing[r] = -gap;
+        }
+        if (!(worst > NEARLY * s.size)) {
+            return;
+        }
+        if (!s.isGrounded) {
+            inner.note(tick, s);
+        }
+        factor(SOFT);
+        net.solve();
+        shift(reach);
+        s.isFresh = false;
+        derive();
+        if (!s.isGrounded) {
+            inner.giveBack(tick, s);
+        }
+    }
+
+    private void shift(double reach) {
+        double part = 1;
+        double[] x = net.linearSum;
+        double[] t = net.angularSum;
+        double turn = JointSolve.TURN_BACK / push * reach;
+        for (int n = 0; n < s.body.length; n++) {
+            double way = SolverBodies.norm(x[3 * n], x[3 * n + 1], x[3 * n + 2]);
+            double angle = SolverBodies.norm(t[3 * n], t[3 * n + 1], t[3 * n + 2]);
+            part = GapClosing.cut(part, way, reach);
+            part = GapClosing.cut(part, angle, turn);
+        }
+        double[] v = tick.body.state;
+        for (int n = 0; n < s.body.length; n++) {
+            int i = s.body[n];
+            int p = SolverBodies.offset(i) + SolverBodies.P;
+            double root = tick.body.root[(i + 1) * SolverBodies.ROOT];
+            for (int c = 0; c < 3; c++) {
+                v[p + c] += part * x[3 * n + c];
+                v[p + 3 + c] += root > 0 ? part * t[3 * n + c] / root : 0;
+            }
+            Rotation.turn(
+                    tick.bodies, i, part * t[3 * n], part * t[3 * n + 1], part * t[3 * n + 2]);
+        }
+    }
+}

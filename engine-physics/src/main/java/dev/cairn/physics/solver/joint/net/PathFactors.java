@@ -1,0 +1,197 @@
+package dev.cairn.physics.solver.joint.net;
+
+/**
+ * What the joints of each path of a {@link PointNet} do to each other, inverted: block tridiagonal,
+ * so that a solution is a sweep to and fro. With A a joint's own block, and C what the one before
+ * does to it,
+ *
+ * <pre>
+ * W = C D^-1,  D' = A - W C^T
+ * </pre>
+ *
+ * <p>Does not allocate but when it is made.
+ */
+final class PathFactors {
+    /** By place: whether a path begins. */
+    private final boolean[] begins;
+
+    /** By place: W, row by row, and the inverse of D: xx, yy, zz, xy, xz, yz. */
+    private final double[] link;
+
+    private final double[] inverse;
+
+    PathFactors(boolean[] begins) {
+        this.begins = begins;
+        link = new double[9 * begins.length];
+        inverse = new double[6 * begins.length];
+    }
+
+    /** Inverts what the joints of each path do to each other. */
+    void factor(PointNet net, double slack) {
+        int[] a = net.a;
+        int[] b = net.b;
+        double[] mass = net.mass;
+        double[] spin = net.spin;
+        double[] arm = net.arm;
+        double[] own = net.own;
+        for (int p = 0; p < begins.length; p++) {
+            int i = a[p] / 3;
+            int k = b[p] / 3;
+            int o = 6 * p;
+            double m = mass[i] + mass[k];
+            double u = spin[i];
+            double v = spin[k];
+            double ax = arm[o];
+            double ay = arm[o + 1];
+            double az = arm[o + 2];
+            double bx = arm[o + 3];
+            double by = arm[o + 4];
+            double bz = arm[o + 5];
+            double xx = m + u * (ay * ay + az * az) + v * (by * by + bz * bz);
+            double yy = m + u * (ax * ax + az * az) + v * (bx * bx + bz * bz);
+            double zz = m + u * (ax * ax + ay * ay) + v * (bx * bx + by * by);
+            double xy = -u * ax * ay - v * bx * by;
+            double xz = -u * ax * az - v * bx * bz;
+            double yz = -u * ay * az - v * by * bz;
+            own[p] = (xx + yy + zz) / 3;
+            double e = slack * own[p];
+            xx += e;
+            yy += e;
+            zz += e;
+            if (!begins[p]) {
+                int at = 9 * p;
+                couple(net, p, at);
+                // W = C D^-1, and D' = A - W C^T
+                int d = 6 * (p - 1);
+                for (int r = 0; r < 3; r++) {
+                    double x = link[at + 3 * r];
+                    double y = link[at + 3 * r + 1];
+                    double z = link[at + 3 * r + 2];
+                    double wx = x * inverse[d] + y * inverse[d + 3] + z * inverse[d + 4];
+                    double wy = x * inverse[d + 3] + y * inverse[d + 1] + z * inverse[d + 5];
+                    double wz = x * inverse[d + 4] + y * inverse[d + 5] + z * inverse[d + 2];
+                    if (r == 0) {
+                        xx -= wx * x + wy * y + wz * z;
+                        xy -= wx * link[at + 3] + wy * link[at + 4] + wz * link[at + 5];
+                        xz -= wx * link[at + 6] + wy * link[at + 7] + wz * link[at + 8];
+                    } else if (r == 1) {
+                        yy -= wx * x + wy * y + wz * z;
+                        yz -= wx * link[at + 6] + wy * link[at + 7] + wz * link[at + 8];
+                    } else {
+                        zz -= wx * x + wy * y + wz * z;
+                    }
+                    link[at + 3 * r] = wx;
+                    link[at + 3 * r + 1] = wy;
+                    link[at + 3 * r + 2] = wz;
+                }
+            }
+            double cx = yy * zz - yz * yz;
+            double cy = xz * yz - xy * zz;
+            double cz = xy * yz - xz * yy;
+            double f = 1 / (xx * cx + xy * cy + xz * cz);
+            inverse[o] = f * cx;
+            inverse[o + 1] = f * (xx * zz - xz * xz);
+            inverse[o + 2] = f * (xx * yy - xy * xy);
+            inverse[o + 3] = f * cy;
+            inverse[o + 4] = f * cz;
+            inverse[o + 5] = f * (xy * xz - xx * yz);
+        }
+    }
+
+    /** What the joint before does to one, by the body of both. */
+    private void couple(PointNet net, int p, int at) {
+        int[] a = net.a;
+        int[] b = net.b;
+        double[] arm = net.arm;
+        boolean mine = a[p] == a[p - 1] || a[p] == b[p - 1];
+        int body = mine ? a[p] : b[p];
+        boolean its = a[p - 1] == body;
+        int k = 6 * p + (mine ? 0 : 3);
+        int j = 6 * (p - 1) + (its ? 0 : 3);
+        double sign = mine == its ? 1 : -1;
+        double i = sign * net.spin[body / 3];
+        double m =
+                sign * net.mass[body / 3]
+                        + i * (arm[k] * arm[j] + arm[k + 1] * arm[j + 1] + arm[k + 2] * arm[j + 2]);
+        for (int r = 0; r < 3; r++) {
+            for (int c = 0; c < 3; c++) {
+                link[at + 3 * r + c] = (r == c ? m : 0) - i * arm[j + r] * arm[k + c];
+            }
+        }
+    }
+
+    /**
+     * Goes a step along the way, and writes what each path alone would do about what is missing
+     * then; its size.
+     */
+    double approach(PointNet net, double step) {
+        double[] near = net.near;
+        double[] missing = net.missing;
+        double[] solution = net.solution;
+        double[] effect = net.effect;
+        double[] way = net.way;
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        for (int p = 0; p < begins.length; p++) {
+            int o = 3 * p;
+            double gx = missing[o] - step * effect[o];
+            double gy = missing[o + 1] - step * effect[o + 1];
+            double gz = missing[o + 2] - step * effect[o + 2];
+            missing[o] = gx;
+            missing[o + 1] = gy;
+            missing[o + 2] = gz;
+            solution[o] += step * way[o];
+            solution[o + 1] += step * way[o + 1];
+            solution[o + 2] += step * way[o + 2];
+            if (!begins[p]) {
+                int w = 9 * p;
+                gx -= link[w] * x + link[w + 1] * y + link[w + 2] * z;
+                gy -= link[w + 3] * x + link[w + 4] * y + link[w + 5] * z;
+                gz -= link[w + 6] * x + link[w + 7] * y + link[w + 8] * z;
+            }
+            x = gx;
+            y = gy;
+            z = gz;
+            near[o] = x;
+            near[o + 1] = y;
+            near[o + 2] = z;
+        }
+        return back(net);
+    }
+
+    private double back(PointNet net) {
+        double[] near = net.near;
+        double[] missing = net.missing;
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        double size = 0;
+        boolean goesOn = false;
+        for (int p = begins.length - 1; p >= 0; p--) {
+            int o = 3 * p;
+            int d = 6 * p;
+            double fx = near[o];
+            double fy = near[o + 1];
+            double fz = near[o + 2];
+            double gx = inverse[d] * fx + inverse[d + 3] * fy + inverse[d + 4] * fz;
+            double gy = inverse[d + 3] * fx + inverse[d + 1] * fy + inverse[d + 5] * fz;
+            double gz = inverse[d + 4] * fx + inverse[d + 5] * fy + inverse[d + 2] * fz;
+            if (goesOn) {
+                int w = 9 * p + 9;
+                gx -= link[w] * x + link[w + 3] * y + link[w + 6] * z;
+                gy -= link[w + 1] * x + link[w + 4] * y + link[w + 7] * z;
+                gz -= link[w + 2] * x + link[w + 5] * y + link[w + 8] * z;
+            }
+            goesOn = !begins[p];
+            x = gx;
+            y = gy;
+            z = gz;
+            near[o] = x;
+            near[o + 1] = y;
+            near[o + 2] = z;
+            size += x * missing[o] + y * missing[o + 1] + z * missing[o + 2];
+        }
+        return size;
+    }
+}

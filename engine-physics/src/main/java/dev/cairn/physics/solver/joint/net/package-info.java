@@ -1,0 +1,13 @@
+/**
+ * Nets of balls, which joints hold together at points.
+ *
+ * <p>{@link dev.cairn.physics.solver.joint.net.JointPaths} lays joints in paths; {@link
+ * dev.cairn.physics.solver.joint.net.PathFactors} inverts what the joints of a path do to each
+ * other; {@link dev.cairn.physics.solver.joint.net.PointNet} holds the numbers of a net, and solves
+ * it by conjugate gradients with these. It knows nothing of assemblies; {@code
+ * solver.joint.NetSolve} takes them through a sub-step with it.
+ */
+@NullMarked
+package dev.cairn.physics.solver.joint.net;
+
+import org.jspecify.annotations.NullMarked;
