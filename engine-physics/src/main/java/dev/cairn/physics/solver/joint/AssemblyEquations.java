@@ -16,7 +16,7 @@ abstract class AssemblyEquations {
     private static final double SLACK = 1e-10;
 
     /** The same where Newton's method fails, and where gaps are closed aside. */
-    private static final double SOFT = 2e-6;
+    static final double SOFT = 2e-6;
 
     static final SolverContext NONE = new SolverContext(Tuning.DEFAULT);
     static final Assembly EMPTY =

@@ -24,8 +24,12 @@ final class NetSolve {
     /** The same of gaps that are closed aside. */
     private static final double NEARLY = 1e-9;
 
-    private static final double SLACK = 1e-10;
-    private static final double SOFT = 2e-6;
+    /**
+     * Share of its own inverse mass by which a row yields. What Newton's method lacks in directions
+     * that hardly move any body asks for impulses that a few rounds do not find, and warm starts
+     * heap up what they do find: with 1e-10 a net of unlike balls came apart.
+     */
+    private static final double SLACK = 1e-3;
 
     private final InnerMotion inner = new InnerMotion();
     private final JointMath math = new JointMath();
@@ -326,7 +330,7 @@ final class NetSolve {
         if (!s.isGrounded) {
             inner.note(tick, s);
         }
-        factor(SOFT);
+        factor(AssemblyEquations.SOFT);
         net.solve();
         shift(reach);
         s.isFresh = false;
