@@ -111,7 +111,7 @@ public final class JointPaths {
         for (int i = firstOf[body]; i < firstOf[body + 1]; i++) {
             int e = of[i];
             int far = end[e ^ 1];
-            if (isUsed[e / 2] || far >= 0 && visited[far] == path) {
+            if (isUsed[e / 2] || (far >= 0 && visited[far] == path)) {
                 continue;
             }
             double c = cosine(from, e);
