@@ -11,7 +11,9 @@ import static java.lang.foreign.ValueLayout.JAVA_LONG;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Matrix3dc;
@@ -27,6 +29,7 @@ import java.lang.foreign.SegmentAllocator;
 import java.lang.foreign.SymbolLookup;
 import java.lang.invoke.MethodHandle;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -71,6 +74,7 @@ final class Box3dPeer implements Peer {
     private final SegmentAllocator vectorSpace;
     private final int world;
     private final long[] bodies;
+    private final List<MemorySegment> meshes = new ArrayList<>();
 
     Box3dPeer(SceneDescription scene, PeerSettings settings) {
         this.scene = scene;
@@ -249,6 +253,8 @@ final class Box3dPeer implements Peer {
                     call(capsule, body, definition, data);
                 }
                 case ConvexHull points -> addHull(body, definition, points);
+                case TriangleMesh _, HeightField _ ->
+                        addMesh(body, definition, Triangles.of(solid.shape()));
                 default ->
                         throw new IllegalArgumentException(
                                 "Box3D: its adapter has no "
@@ -276,6 +282,34 @@ final class Box3dPeer implements Peer {
             }
             call(hull, body, definition, made);
             call(freeHull, made);
+        }
+
+        /** The shape refers to the mesh, which lives as long as the world. */
+        private void addMesh(long body, MemorySegment definition, Triangles surface) {
+            MemorySegment recipe = arena.allocate(40, 8); // b3MeshDef
+            recipe.set(ADDRESS, 0, arena.allocateFrom(JAVA_FLOAT, surface.xyz()));
+            recipe.set(ADDRESS, 8, arena.allocateFrom(JAVA_INT, surface.indices()));
+            recipe.set(ADDRESS, 16, arena.allocate(surface.count())); // all of material 0
+            recipe.set(JAVA_INT, 28, surface.corners());
+            recipe.set(JAVA_INT, 32, surface.count());
+            recipe.set(JAVA_BYTE, 38, (byte) 1); // identifyEdges, against ghost collisions
+            MethodHandle make =
+                    find(
+                            "b3CreateMesh",
+                            FunctionDescriptor.of(ADDRESS, ADDRESS, ADDRESS, JAVA_INT));
+            MemorySegment made = (MemorySegment) call(make, recipe, MemorySegment.NULL, 0);
+            if (made.address() == 0) {
+                throw new IllegalArgumentException(
+                        "Box3D: it makes no mesh of these %d triangles".formatted(surface.count()));
+            }
+            meshes.add(made);
+            MemorySegment scale = arena.allocate(VECTOR);
+            vector(scale, 0, new Vector3d(1));
+            MethodHandle create =
+                    find(
+                            "b3CreateMeshShape",
+                            FunctionDescriptor.of(JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS, VECTOR));
+            call(create, body, definition, made, scale);
         }
 
         private void mass(long body, SceneDescription.Solid solid) {
@@ -383,6 +417,10 @@ final class Box3dPeer implements Peer {
     @Override
     public void close() {
         call(destroyWorld, world);
+        MethodHandle free = find("b3DestroyMesh", FunctionDescriptor.ofVoid(ADDRESS));
+        for (MemorySegment mesh : meshes) {
+            call(free, mesh);
+        }
         arena.close();
     }
 }

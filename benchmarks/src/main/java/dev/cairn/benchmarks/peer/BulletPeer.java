@@ -9,7 +9,9 @@ import com.jme3.bullet.collision.shapes.CapsuleCollisionShape;
 import com.jme3.bullet.collision.shapes.CollisionShape;
 import com.jme3.bullet.collision.shapes.CylinderCollisionShape;
 import com.jme3.bullet.collision.shapes.HullCollisionShape;
+import com.jme3.bullet.collision.shapes.MeshCollisionShape;
 import com.jme3.bullet.collision.shapes.SphereCollisionShape;
+import com.jme3.bullet.collision.shapes.infos.IndexedMesh;
 import com.jme3.bullet.objects.PhysicsRigidBody;
 import com.jme3.bullet.util.NativeLibrary;
 import com.jme3.math.Quaternion;
@@ -21,7 +23,9 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Vector3dc;
@@ -118,12 +122,13 @@ final class BulletPeer implements Peer {
                                     _ ->
                                             new HullCollisionShape(
                                                     SceneDescription.Solid.points(hull)));
+                    case TriangleMesh _, HeightField _ -> mesh(Triangles.of(solid.shape()));
                     default ->
                             throw new IllegalArgumentException(
                                     "Bullet: its adapter has no "
                                             + solid.shape().getClass().getSimpleName());
                 };
-        if (solid.shape() instanceof ConvexHull && best) {
+        if (best && (shape instanceof HullCollisionShape || shape instanceof MeshCollisionShape)) {
             shape.setMargin(BEST_MARGIN);
         }
         PhysicsRigidBody body = new PhysicsRigidBody(shape, (float) solid.mass());
@@ -151,6 +156,14 @@ final class BulletPeer implements Peer {
         }
         space.addCollisionObject(body);
         bodies.add(body);
+    }
+
+    /** With compression of its tree, as its documentation's examples have it. */
+    private static MeshCollisionShape mesh(Triangles surface) {
+        return new MeshCollisionShape(
+                true,
+                new IndexedMesh(
+                        surface.xyzBuffer().asFloatBuffer(), surface.indexBuffer().asIntBuffer()));
     }
 
     private static Vector3f vector(Vector3dc v) {
@@ -244,10 +257,10 @@ final class BulletPeer implements Peer {
     @Override
     public List<String> notes() {
         return List.of(
-                "10 iterations, ERP and margins (4 cm: inside boxes and cylinders, around hulls) as"
-                        + " they come",
+                "10 iterations, ERP and margins (4 cm: inside boxes and cylinders, around hulls and"
+                        + " triangles) as they come",
                 "best effort: 50 iterations, split impulse from 1 mm on, two friction directions,"
-                        + " margin of hulls 1 mm",
+                        + " margin of hulls and triangles 1 mm",
                 "sleeping and damping off",
                 "frictions of a pair are multiplied by the engine: bodies carry the square root",
                 "restitutions are multiplied: bodies carry e or 1, right if one e > 0 per scene",

@@ -5,11 +5,13 @@ import com.bulletphysics.collision.dispatch.CollisionDispatcher;
 import com.bulletphysics.collision.dispatch.CollisionObject;
 import com.bulletphysics.collision.dispatch.DefaultCollisionConfiguration;
 import com.bulletphysics.collision.shapes.BoxShape;
+import com.bulletphysics.collision.shapes.BvhTriangleMeshShape;
 import com.bulletphysics.collision.shapes.CapsuleShape;
 import com.bulletphysics.collision.shapes.CollisionShape;
 import com.bulletphysics.collision.shapes.ConvexHullShape;
 import com.bulletphysics.collision.shapes.CylinderShape;
 import com.bulletphysics.collision.shapes.SphereShape;
+import com.bulletphysics.collision.shapes.TriangleIndexVertexArray;
 import com.bulletphysics.dynamics.DiscreteDynamicsWorld;
 import com.bulletphysics.dynamics.RigidBody;
 import com.bulletphysics.dynamics.RigidBodyConstructionInfo;
@@ -23,7 +25,9 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Vector3dc;
@@ -98,6 +102,7 @@ final class JBulletPeer implements Peer {
                                             (float) cylinder.radius(),
                                             (float) cylinder.halfHeight(),
                                             (float) cylinder.radius()));
+                    case TriangleMesh _, HeightField _ -> mesh(Triangles.of(solid.shape()));
                     default ->
                             throw new IllegalArgumentException(
                                     "JBullet: its adapter has no "
@@ -146,6 +151,18 @@ final class JBulletPeer implements Peer {
             shape.setMargin(BEST_MARGIN);
         }
         return shape;
+    }
+
+    private static BvhTriangleMeshShape mesh(Triangles surface) {
+        return new BvhTriangleMeshShape(
+                new TriangleIndexVertexArray(
+                        surface.count(),
+                        surface.indexBuffer(),
+                        Triangles.STRIDE,
+                        surface.corners(),
+                        surface.xyzBuffer(),
+                        Triangles.STRIDE),
+                true);
     }
 
     private static Vector3f vector(Vector3dc v) {

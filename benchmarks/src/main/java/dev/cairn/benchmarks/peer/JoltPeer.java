@@ -7,6 +7,8 @@ import com.github.stephengold.joltjni.CapsuleShape;
 import com.github.stephengold.joltjni.ConvexHullShapeSettings;
 import com.github.stephengold.joltjni.CustomContactListener;
 import com.github.stephengold.joltjni.CylinderShape;
+import com.github.stephengold.joltjni.Float3;
+import com.github.stephengold.joltjni.IndexedTriangle;
 import com.github.stephengold.joltjni.JobSystem;
 import com.github.stephengold.joltjni.JobSystemSingleThreaded;
 import com.github.stephengold.joltjni.JobSystemThreadPool;
@@ -14,6 +16,7 @@ import com.github.stephengold.joltjni.Jolt;
 import com.github.stephengold.joltjni.MapObj2Bp;
 import com.github.stephengold.joltjni.MassProperties;
 import com.github.stephengold.joltjni.Mat44;
+import com.github.stephengold.joltjni.MeshShapeSettings;
 import com.github.stephengold.joltjni.ObjVsBpFilter;
 import com.github.stephengold.joltjni.ObjVsObjFilter;
 import com.github.stephengold.joltjni.PhysicsSettings;
@@ -21,6 +24,7 @@ import com.github.stephengold.joltjni.PhysicsSystem;
 import com.github.stephengold.joltjni.Quat;
 import com.github.stephengold.joltjni.RVec3;
 import com.github.stephengold.joltjni.ShapeResult;
+import com.github.stephengold.joltjni.ShapeSettings;
 import com.github.stephengold.joltjni.SphereShape;
 import com.github.stephengold.joltjni.TempAllocator;
 import com.github.stephengold.joltjni.TempAllocatorImplWithMallocFallback;
@@ -36,7 +40,9 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Matrix3dc;
@@ -146,6 +152,7 @@ final class JoltPeer implements Peer {
                             new CapsuleShape(
                                     (float) capsule.halfLength(), (float) capsule.radius());
                     case Cylinder cylinder -> cylinder(cylinder);
+                    case TriangleMesh _, HeightField _ -> mesh(Triangles.of(solid.shape()));
                     default ->
                             throw new IllegalArgumentException(
                                     "Jolt: its adapter has no "
@@ -196,9 +203,28 @@ final class JoltPeer implements Peer {
         }
         ConvexHullShapeSettings recipe =
                 new ConvexHullShapeSettings(points, best ? 0 : Jolt.cDefaultConvexRadius);
+        return made("hull", recipe);
+    }
+
+    private ConstShape mesh(Triangles surface) {
+        Float3[] corners = new Float3[surface.corners()];
+        float[] xyz = surface.xyz();
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] = new Float3(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]);
+        }
+        IndexedTriangle[] triangles = new IndexedTriangle[surface.count()];
+        int[] of = surface.indices();
+        for (int i = 0; i < triangles.length; i++) {
+            triangles[i] = new IndexedTriangle(of[3 * i], of[3 * i + 1], of[3 * i + 2]);
+        }
+        return made("mesh", new MeshShapeSettings(corners, triangles));
+    }
+
+    private ConstShape made(String what, ShapeSettings recipe) {
         ShapeResult made = recipe.create();
         if (!made.isValid()) {
-            throw new IllegalArgumentException("Jolt: it makes no hull: " + made.getError());
+            throw new IllegalArgumentException(
+                    "Jolt: it makes no %s: %s".formatted(what, made.getError()));
         }
         kept.addAll(List.of(recipe, made));
         return made.get();

@@ -4,7 +4,9 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Matrix3dc;
@@ -19,6 +21,7 @@ import org.ode4j.ode.DGeom;
 import org.ode4j.ode.DJointGroup;
 import org.ode4j.ode.DMass;
 import org.ode4j.ode.DSpace;
+import org.ode4j.ode.DTriMeshData;
 import org.ode4j.ode.DWorld;
 import org.ode4j.ode.OdeConstants;
 import org.ode4j.ode.OdeHelper;
@@ -83,6 +86,7 @@ final class OdePeer implements Peer {
                             OdeHelper.createCylinder(
                                     space, cylinder.radius(), 2 * cylinder.halfHeight());
                     case ConvexHull hull -> convex(hull);
+                    case TriangleMesh _, HeightField _ -> mesh(Triangles.of(solid.shape()));
                     default ->
                             throw new IllegalArgumentException(
                                     "ode4j: its adapter has no "
@@ -123,6 +127,14 @@ final class OdePeer implements Peer {
         if (solid.shape() instanceof Capsule || solid.shape() instanceof Cylinder) {
             geom.setOffsetQuaternion(UPRIGHT);
         }
+    }
+
+    private DGeom mesh(Triangles surface) {
+        DTriMeshData data = OdeHelper.createTriMeshData();
+        data.build(surface.xyz(), surface.indices());
+        // What it needs to collide convex geoms with triangles.
+        data.preprocess2(1 << DTriMeshData.dTRIDATAPREPROCESS_BUILD.FACE_ANGLES, null);
+        return OdeHelper.createTriMesh(space, data);
     }
 
     /** Planes (normal, offset), points, and polygons as lists led by their length. */

@@ -3,7 +3,9 @@ package dev.cairn.benchmarks.peer;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Vector3dc;
@@ -22,12 +24,15 @@ import physx.common.PxVec3;
 import physx.cooking.PxConvexFlagEnum;
 import physx.cooking.PxConvexMeshDesc;
 import physx.cooking.PxCookingParams;
+import physx.cooking.PxTriangleMeshDesc;
 import physx.geometry.PxBoxGeometry;
 import physx.geometry.PxCapsuleGeometry;
 import physx.geometry.PxConvexMesh;
 import physx.geometry.PxConvexMeshGeometry;
 import physx.geometry.PxGeometry;
 import physx.geometry.PxSphereGeometry;
+import physx.geometry.PxTriangleMesh;
+import physx.geometry.PxTriangleMeshGeometry;
 import physx.physics.PxCombineModeEnum;
 import physx.physics.PxFilterData;
 import physx.physics.PxMaterial;
@@ -40,6 +45,7 @@ import physx.physics.PxSceneFlagEnum;
 import physx.physics.PxShape;
 import physx.physics.PxSimulationStatistics;
 import physx.physics.PxSolverTypeEnum;
+import physx.support.PxArray_PxU32;
 import physx.support.PxArray_PxVec3;
 
 import java.lang.foreign.Arena;
@@ -62,6 +68,7 @@ final class PhysxPeer implements Peer {
     private final Arena arena = Arena.ofConfined();
     private final PxVec3 force = new PxVec3();
     private final IdentityHashMap<ConvexHull, PxConvexMesh> hulls = new IdentityHashMap<>();
+    private final List<PxTriangleMesh> meshes = new ArrayList<>();
     private final float substepSeconds;
     private final PxPhysics physics;
     private final PxDefaultCpuDispatcher dispatcher;
@@ -138,6 +145,8 @@ final class PhysxPeer implements Peer {
                                     (float) capsule.radius(), (float) capsule.halfLength());
                     case ConvexHull hull ->
                             new PxConvexMeshGeometry(hulls.computeIfAbsent(hull, this::mesh));
+                    case TriangleMesh _, HeightField _ ->
+                            new PxTriangleMeshGeometry(mesh(Triangles.of(solid.shape())));
                     default ->
                             throw new IllegalArgumentException(
                                     "PhysX: its adapter has no "
@@ -211,17 +220,8 @@ final class PhysxPeer implements Peer {
     }
 
     private PxConvexMesh mesh(ConvexHull hull) {
-        float[] xyz = SceneDescription.Solid.points(hull);
-        PxArray_PxVec3 points = new PxArray_PxVec3();
-        for (int i = 0; i < xyz.length; i += 3) {
-            PxVec3 point = new PxVec3(xyz[i], xyz[i + 1], xyz[i + 2]);
-            points.pushBack(point);
-            point.destroy();
-        }
-        PxBoundedData data = new PxBoundedData();
-        data.setCount(points.size());
-        data.setStride(PxVec3.SIZEOF);
-        data.setData(points.begin());
+        PxArray_PxVec3 points = array(SceneDescription.Solid.points(hull));
+        PxBoundedData data = data(points);
         PxConvexMeshDesc recipe = new PxConvexMeshDesc();
         recipe.setPoints(data);
         recipe.getFlags().raise(PxConvexFlagEnum.eCOMPUTE_CONVEX);
@@ -232,6 +232,50 @@ final class PhysxPeer implements Peer {
         data.destroy();
         points.destroy();
         return made;
+    }
+
+    private PxTriangleMesh mesh(Triangles surface) {
+        PxArray_PxVec3 points = array(surface.xyz());
+        PxArray_PxU32 corners = new PxArray_PxU32(surface.indices().length);
+        for (int i = 0; i < surface.indices().length; i++) {
+            corners.set(i, surface.indices()[i]);
+        }
+        PxBoundedData xyz = data(points);
+        PxBoundedData triangles = new PxBoundedData();
+        triangles.setCount(surface.count());
+        triangles.setStride(Triangles.STRIDE);
+        triangles.setData(corners.begin());
+        PxTriangleMeshDesc recipe = new PxTriangleMeshDesc();
+        recipe.setPoints(xyz);
+        recipe.setTriangles(triangles);
+        PxCookingParams cooking = new PxCookingParams(scale());
+        PxTriangleMesh made = PxTopLevelFunctions.CreateTriangleMesh(cooking, recipe);
+        cooking.destroy();
+        recipe.destroy();
+        triangles.destroy();
+        xyz.destroy();
+        corners.destroy();
+        points.destroy();
+        meshes.add(made);
+        return made;
+    }
+
+    private static PxArray_PxVec3 array(float[] xyz) {
+        PxArray_PxVec3 points = new PxArray_PxVec3();
+        for (int i = 0; i < xyz.length; i += 3) {
+            PxVec3 point = new PxVec3(xyz[i], xyz[i + 1], xyz[i + 2]);
+            points.pushBack(point);
+            point.destroy();
+        }
+        return points;
+    }
+
+    private static PxBoundedData data(PxArray_PxVec3 points) {
+        PxBoundedData data = new PxBoundedData();
+        data.setCount(points.size());
+        data.setStride(PxVec3.SIZEOF);
+        data.setData(points.begin());
+        return data;
     }
 
     private static PxVec3 vector(Vector3dc v) {
@@ -333,6 +377,9 @@ final class PhysxPeer implements Peer {
         }
         actors.clear();
         for (PxConvexMesh mesh : hulls.values()) {
+            mesh.release();
+        }
+        for (PxTriangleMesh mesh : meshes) {
             mesh.release();
         }
         scene.release();

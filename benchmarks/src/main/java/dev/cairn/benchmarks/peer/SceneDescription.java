@@ -22,7 +22,9 @@ import java.util.List;
  * A scene as plain data: what every engine is given. SI units, y up. Immutable.
  *
  * <p>Hulls are given about their centre of mass and turned into their principal axes, so that no
- * engine has to be told an offset or products of inertia.
+ * engine has to be told an offset or products of inertia. Meshes and height fields are given as
+ * they are, about the origin of their body, which is then its centre here; peers take their {@link
+ * Triangles}.
  *
  * @param bodies the bodies, fixed and movable, in the order in which the scene added them
  * @param forces that act in every tick

@@ -146,6 +146,7 @@ class PeersTest {
         assertTrue(hulls.error() != null && hulls.error() < 0.3, "overlap " + hulls.error());
         assertTrue(hulls.pairs() >= 8, "each hull rests on something: " + hulls.pairs());
         roundsArrive(engine, process);
+        trianglesArrive(process);
         if (engine != Engine.ODE4J) {
             // 3.15 is a plate that never moves: a force that does not arrive.
             assertTrue(error(process, "rolling", 4) < 0.1);
@@ -176,6 +177,25 @@ class PeersTest {
                         scene + ": overlap " + rounds.error());
             }
         }
+    }
+
+    /** Without the mesh, or with one that lies elsewhere, all would be below the ground. */
+    private static void trianglesArrive(EngineProcess process) {
+        Map<String, Map<String, String>> few =
+                Map.of(
+                        "mesh-drop", Map.of("bodies", "24", "squares", "24"),
+                        "terrain", Map.of("bodies", "24", "squares", "48"));
+        few.forEach((scene, settings) -> {
+            Protocol.Answer answer =
+                    process.ask(
+                            new Protocol.Request(Protocol.Kind.JUDGE, scene, settings, peer(4), 30),
+                            LIMIT);
+            assertNull(answer.failure(), scene);
+            assertTrue(
+                    answer.error() != null && answer.error() < 0.06,
+                    scene + ": overlap " + answer.error());
+            assertEquals(0.0, answer.errors().get("belowGroundMetres"), scene);
+        });
     }
 
     @Test

@@ -192,6 +192,16 @@ public final class Cases {
                     pile("pile-rounds", "Pile of 192 capsules, cylinders", "8", "3", 0.25, 30),
                     pile("convex-pile", "Pile of 256 hulls (convex_pile)", "8", "4", 1, 10),
                     pile("junkyard", "Junkyard, 512 rocks", "16", "2", 0.75, 4),
+                    ground(
+                            "terrain",
+                            "Terrain: 1000 bodies, 32 768 triangles",
+                            Map.of("bodies", "1000", "hulls", "1"),
+                            Map.of("bodies", "60", "squares", "48")),
+                    ground(
+                            "mesh-drop",
+                            "Tray of triangles, 150 bodies",
+                            Map.of("bodies", "150", "hulls", "1"),
+                            Map.of("bodies", "40")),
                     Case.small(
                                     "washer",
                                     "Washer, 1000 boxes",
@@ -244,6 +254,23 @@ public final class Cases {
                             .large(8, 1, Map.of("base", "12")));
 
     private Cases() {}
+
+    private static Case ground(
+            String id, String title, Map<String, String> settings, Map<String, String> quick) {
+        return Case.small(
+                        id,
+                        title,
+                        id,
+                        settings,
+                        240,
+                        Case.REST_OVERLAP,
+                        "deepest overlap at rest, with bodies or ground, m",
+                        0.25,
+                        "Balls, boxes, capsules and hulls of 16 sides fall on a ground of triangles"
+                                + " and come to rest; nothing may overlap, and nobody may be below"
+                                + " the ground.")
+                .large(8, 4, quick);
+    }
 
     private static Case pile(
             String id, String title, String side, String layers, double failure, int lookCost) {

@@ -22,8 +22,8 @@ import java.util.Map;
  * <p>It holds a mirror: the scene as its script built it, in a world that is never stepped. After
  * each tick of the engine the mirror's bodies are put where the engine's bodies are, and move as
  * they do; then the scene's hooks compare them with the closed form, and {@link Penetration}
- * measures the overlaps. Metrics that read forces or contacts see none here and must not be drawn.
- * One thread.
+ * measures the overlaps of bodies and {@link GroundDepth} those with a ground of triangles. Metrics
+ * that read forces or contacts see none here and must not be drawn. One thread.
  */
 public final class Judge implements AutoCloseable {
     /** Overlaps of many or of many-sided bodies take long: fewer looks. */
@@ -36,6 +36,7 @@ public final class Judge implements AutoCloseable {
     private final PhysicsWorld world;
     private final SceneBuilder built;
     private final SceneDescription description;
+    private final GroundDepth ground;
     private final double[] poses;
     private final double[] velocities;
     private final Quaterniond turned = new Quaterniond();
@@ -59,6 +60,7 @@ public final class Judge implements AutoCloseable {
         this.built = scene.scene().build(new SceneBuilder(world, scene.options()));
         List<BodyRef> bodies = built.bodies();
         this.description = SceneDescription.of(built);
+        this.ground = new GroundDepth(bodies);
         this.poses = new double[Peer.POSE_STRIDE * bodies.size()];
         this.velocities = new double[Peer.VELOCITY_STRIDE * bodies.size()];
         this.stride = Math.max(1, bodies.size() * scene.lookCost() / BODIES_PER_LOOK);
@@ -98,6 +100,7 @@ public final class Judge implements AutoCloseable {
         ticks++;
         if (ticks % stride == 0 || ticks == scene.ticks()) {
             double depth = Penetration.deepest(built.bodies(), built.world().joints().all());
+            depth = Math.max(depth, ground.deepest(built.bodies()));
             deepest = Math.max(deepest, depth);
             if (ticks >= REST * scene.ticks()) {
                 deepestAtRest = Math.max(deepestAtRest, depth);

@@ -5,6 +5,7 @@ import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;
+import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Shape;
@@ -38,6 +39,15 @@ public final class Hills {
         Box.cubeOfHalfExtent(.2)
     };
 
+    /** The same with hulls of {@value #SIDES} sides in place of cylinder and cone. */
+    private static final Shape[] KINDS_OF_HULLS = {
+        KINDS[0], KINDS[1], KINDS[2], frustum(.25, .25, .2), frustum(.3, 0, .25), KINDS[5]
+    };
+
+    private static final int SIDES = 16;
+    private static final Parameter HULLS =
+            Parameter.count("hulls", 0, 0, 1, "1 if hulls stand for cylinders and cones");
+
     private Hills() {}
 
     /**
@@ -53,7 +63,8 @@ public final class Hills {
                 "levels",
                 List.of(
                         Parameter.count("bodies", 200, 1, 10_000, "number of bodies"),
-                        Parameter.count("squares", 128, 16, 512, "along a side of the country")),
+                        Parameter.count("squares", 128, 16, 512, "along a side of the country"),
+                        HULLS),
                 300,
                 200,
                 scene -> {
@@ -76,7 +87,8 @@ public final class Hills {
                 "levels",
                 List.of(
                         Parameter.count("bodies", 150, 1, 4000, "number of bodies"),
-                        Parameter.count("squares", 40, 16, 200, "along a side of the tray")),
+                        Parameter.count("squares", 40, 16, 200, "along a side of the tray"),
+                        HULLS),
                 300,
                 150,
                 scene -> {
@@ -98,6 +110,19 @@ public final class Hills {
         return .3 * StrictMath.cos(1.7 * x) * StrictMath.cos(1.7 * z) + (r > 0 ? 2 * r * r : 0);
     }
 
+    /** A hull within a round one along y; a cone if the radius at its top is 0. */
+    private static ConvexHull frustum(double bottom, double top, double halfHeight) {
+        double[] xyz = new double[6 * SIDES];
+        for (int i = 0; i < 2 * SIDES; i++) {
+            double angle = Math.PI * (i / 2) / (SIDES / 2);
+            double radius = i % 2 == 0 ? bottom : top;
+            xyz[3 * i] = radius * StrictMath.cos(angle);
+            xyz[3 * i + 1] = i % 2 == 0 ? -halfHeight : halfHeight;
+            xyz[3 * i + 2] = radius * StrictMath.sin(angle);
+        }
+        return ConvexHull.of(xyz);
+    }
+
     /** The graph of a function of x and z, n by n cells; its frame begins at (-half, -half). */
     private static HeightField field(double half, int n, DoubleBinaryOperator height) {
         double step = 2 * half / n;
@@ -117,6 +142,7 @@ public final class Hills {
             double half,
             DoubleBinaryOperator height) {
         int count = scene.count("bodies");
+        Shape[] kinds = scene.count("hulls") == 1 ? KINDS_OF_HULLS : KINDS;
         scene.add(shape, Palette.STONE, ground.material(Palette.material(0.6, 0)).name("ground"));
         double wide = .7 * half;
         int side = (int) Math.min(Math.ceil(Math.sqrt(count)), 2 * wide / 1.1);
@@ -131,7 +157,7 @@ public final class Hills {
                                     scene.random(-1, 1), scene.random(-3, 3), scene.random(-1, 1));
             bodies.add(
                     scene.add(
-                            KINDS[i % KINDS.length],
+                            kinds[i % kinds.length],
                             Palette.body(i),
                             Body.dynamic()
                                     .at(x, height.applyAsDouble(x, z) + 1 + 1.1 * layer, z)
