@@ -112,7 +112,7 @@ final class GroundDepth {
             double height = heightAt(triangle, p.x, p.z);
             above = Double.isNaN(height) ? above : p.y - height;
         }
-        if (Double.isNaN(above) || above >= 0 && radius == 0) {
+        if (Double.isNaN(above) || (above >= 0 && radius == 0)) {
             return 0; // beside the ground, or a corner above it
         }
         // No triangle is nearer than those within the distance straight up or down.
@@ -146,6 +146,7 @@ final class GroundDepth {
     }
 
     /** A shape as points with a radius; planes (outward normal, offset) of polytopes. */
+    @SuppressWarnings("ArrayRecordComponent") // never compared
     private record Form(List<Vector3d> points, double radius, double[][] planes) {
         static Form of(Shape shape) {
             return switch (shape) {

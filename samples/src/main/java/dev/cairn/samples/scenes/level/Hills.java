@@ -114,7 +114,7 @@ public final class Hills {
     private static ConvexHull frustum(double bottom, double top, double halfHeight) {
         double[] xyz = new double[6 * SIDES];
         for (int i = 0; i < 2 * SIDES; i++) {
-            double angle = Math.PI * (i / 2) / (SIDES / 2);
+            double angle = 2 * Math.PI * (i >> 1) / SIDES;
             double radius = i % 2 == 0 ? bottom : top;
             xyz[3 * i] = radius * StrictMath.cos(angle);
             xyz[3 * i + 1] = i % 2 == 0 ? -halfHeight : halfHeight;
