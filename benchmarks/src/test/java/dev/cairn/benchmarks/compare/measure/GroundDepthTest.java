@@ -43,7 +43,9 @@ class GroundDepthTest {
         double[] heights = new double[(SIDE + 1) * (SIDE + 1)];
         double step = 10.0 / SIDE;
         for (int i = 0; i < heights.length; i++) {
-            heights[i] = height.applyAsDouble(i % (SIDE + 1) * step - 5, i / (SIDE + 1) * step - 5);
+            int column = i % (SIDE + 1);
+            int row = i / (SIDE + 1);
+            heights[i] = height.applyAsDouble(column * step - 5, row * step - 5);
         }
         HeightField field = HeightField.of(SIDE + 1, SIDE + 1, step, step, heights);
         BodyRef body = world.add(Body.fixed().shape(field).at(-5, 0, -5));
