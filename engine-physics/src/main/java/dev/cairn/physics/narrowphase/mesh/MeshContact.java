@@ -10,11 +10,10 @@ import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.mesh.MeshBuilder;
 import dev.cairn.physics.shape.mesh.TriangleSet;
-import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * All contacts of a convex shape with a surface of triangles, see the package's essay. One instance
@@ -24,32 +23,27 @@ public final class MeshContact {
     /** Of the smaller inner radius: how far a face goes on under what rises beside it. */
     private static final double UNDER = 0.02;
 
-    private final NarrowPhase narrowPhase;
-    private final ConvexHull view = ConvexHull.triangle();
-    private final Polyhedron flat = Polyhedron.of(view);
     private final Pair pair = new Pair();
     private final Patch patch = new Patch(), plane = new Patch();
     private final Overlay overlay = new Overlay();
     private final CornerOrder cornerOrder = new CornerOrder();
     private final Reduction reduction = new Reduction();
-    private final NormalCone cone = new NormalCone();
-    private final Manifold manifold = new Manifold(), result = new Manifold();
+    private final Manifold result = new Manifold();
     private final TriangleSet.Found found = new TriangleSet.Found();
     private final FaceRegions faces = new FaceRegions();
-    private final CalmRidges calm = new CalmRidges();
     private final LoosePoints loose = new LoosePoints();
-    private final TriangleGap gap = new TriangleGap();
+    private final RimSearch rim;
     private final MeshFrame frame = new MeshFrame();
     private final double[] box = new double[6], corner = new double[9];
 
     /** The shape: its orientation and centre in the mesh's frame, and how it goes in the reach. */
     private double qx, qy, qz, qw, cx, cy, cz, driftX, driftY, driftZ;
 
-    private Shape shape = view;
+    private Shape shape = HalfSpace.of();
     private double margin, tolerance;
 
-    /** The triangle at hand: its unit normal towards the shape, and 1, or -1 from the back. */
-    private double nx, ny, nz, front;
+    /** The triangle at hand: its unit normal towards the shape. */
+    private double nx, ny, nz;
 
     /** Whether the centre is inside: the way out is through the triangle above, however far. */
     private boolean isInside;
@@ -59,7 +53,6 @@ public final class MeshContact {
 
     private int under;
 
-    private int flags;
     private TriangleSet set = MeshBuilder.nothing();
 
     /** Contacts of the last tick. */
@@ -71,7 +64,7 @@ public final class MeshContact {
      * @param narrowPhase collides single triangles
      */
     public MeshContact(NarrowPhase narrowPhase) {
-        this.narrowPhase = narrowPhase;
+        rim = new RimSearch(narrowPhase, faces, loose);
     }
 
     /**
@@ -147,13 +140,13 @@ public final class MeshContact {
             pair.set(shape, shape, qx, qy, qz, qw, qx, qy, qz, qw, 0, 0, 0);
             tolerance = ContactTolerances.ON_PLANE * pair.inner;
             faces.clear();
-            loose.clear();
-            calm.clear();
+            rim.begin(set, found);
+            rim.place(shape, pair, qx, qy, qz, qw, cx, cy, cz, margin, tolerance);
             for (int i = 0; i < found.count; i++) {
                 look(found.triangle[i]);
             }
             for (int i = 0; !isInside && i < faces.count; i++) {
-                rim(i);
+                rim.run(i);
             }
             for (int g = 0; g < faces.groups; g++) {
                 face(g, out);
@@ -170,7 +163,9 @@ public final class MeshContact {
 
     // One triangle -------------------------------------------------------------------------------
 
-    /** Its face, if the shape is in front and not too far above; then what stands out of it. */
+    /**
+     * Its face, if the shape is in front and not too far above, and which of its ridges are calm.
+     */
     private void look(int t) {
         set.corners(t, corner);
         for (int c = 0; c < 9; c += 3) {
@@ -181,7 +176,7 @@ public final class MeshContact {
         double twiceArea = normal();
         // above the plane is the centre
         double height = -(nx * corner[0] + ny * corner[1] + nz * corner[2]);
-        front = 1;
+        double front = 1;
         if (isInside) {
             faces.add(t, 0, 0, 0, corner, nx, ny, nz, twiceArea, tolerance);
             return;
@@ -200,13 +195,13 @@ public final class MeshContact {
         if (height - pair.reachA(-tx, -ty, -tz) - pair.radiusA > margin) {
             return;
         }
-        flags = set.edges(t);
-        int hollow = flags / (front > 0 ? TriangleSet.HOLLOW : TriangleSet.CONVEX);
+        int edges = set.edges(t);
+        int hollow = edges / (front > 0 ? TriangleSet.HOLLOW : TriangleSet.CONVEX);
         int material = set.material(t);
         faces.add(
                 t,
                 material,
-                flags,
+                edges,
                 hollow & TriangleSet.ALL,
                 corner,
                 nx,
@@ -214,29 +209,7 @@ public final class MeshContact {
                 nz,
                 twiceArea,
                 tolerance);
-        calm.look(set, t, ridges(), corner, nx, ny, nz, front, pair, tolerance);
-    }
-
-    /** Of the triangle at hand, on its side. */
-    private int ridges() {
-        return flags / (front > 0 ? TriangleSet.CONVEX : TriangleSet.HOLLOW) & TriangleSet.ALL;
-    }
-
-    /** What stands out of a face, unless that is calm. */
-    private void rim(int i) {
-        int t = faces.read(i, corner);
-        nx = faces.normalOf(i, 0);
-        ny = faces.normalOf(i, 1);
-        nz = faces.normalOf(i, 2);
-        front = faces.orientation(i);
-        flags = faces.edges(i);
-        int open = flags / TriangleSet.OPEN & TriangleSet.ALL;
-        if ((open | calm.others(set, t, ridges())) == 0
-                || gap.isApart(corner, nx, ny, nz, pair, margin)) {
-            return;
-        }
-        flags = set.flags(t);
-        standsOut(t, faces.groupOf(i));
+        rim.look(t, edges, corner, nx, ny, nz, front);
     }
 
     /** Writes the unit normal; returns twice the area. */
@@ -269,107 +242,6 @@ public final class MeshContact {
         tx = pair.w00 * x + pair.w01 * y + pair.w02 * z;
         ty = pair.w10 * x + pair.w11 * y + pair.w12 * z;
         tz = pair.w20 * x + pair.w21 * y + pair.w22 * z;
-    }
-
-    /** Points of the triangle's edges and corners where the surface lets their normal be. */
-    private void standsOut(int t, int group) {
-        double gx = (corner[0] + corner[3] + corner[6]) / 3;
-        double gy = (corner[1] + corner[4] + corner[7]) / 3;
-        double gz = (corner[2] + corner[5] + corner[8]) / 3;
-        flat.setTriangle(corner, gx, gy, gz);
-        narrowPhase.collide(
-                view, shape, 0, 0, 0, 1, qx, qy, qz, qw, -gx, -gy, -gz, margin, 0, manifold);
-        Manifold m = manifold;
-        double along = m.normalX * nx + m.normalY * ny + m.normalZ * nz;
-        boolean any = false;
-        for (int i = 0; i < m.pointCount && along > 0; i++) {
-            any |= stands(t, group, i, along, gx, gy, gz);
-        }
-        if (m.pointCount > 0 && along < FaceRegions.ONE_PLANE && !any) {
-            nearest(t, gx, gy, gz);
-        }
-    }
-
-    /** Takes a point of the manifold; returns whether its normal may be there. */
-    private boolean stands(int t, int group, int i, double along, double gx, double gy, double gz) {
-        Manifold m = manifold;
-        double half = m.separation[i] / 2;
-        double x = m.pointX[i] + gx;
-        double y = m.pointY[i] + gy;
-        double z = m.pointZ[i] + gz;
-        double px = x - half * m.normalX;
-        double py = y - half * m.normalY;
-        double pz = z - half * m.normalZ;
-        if (!isOut(px, py, pz)) {
-            return false;
-        }
-        x += half * m.normalX;
-        y += half * m.normalY;
-        z += half * m.normalZ;
-        int name = TriangleFeatures.shared(set, t, m.feature[i]);
-        int kind = name & FeatureIds.CLOSEST;
-        if (along < FaceRegions.ONE_PLANE && allows(px, py, pz, m.normalX, m.normalY, m.normalZ)) {
-            int own = loose.group(m.normalX, m.normalY, m.normalZ);
-            loose.add(own, t, name, x, y, z, m.separation[i]);
-            return true;
-        }
-        if (along > ContactTolerances.NEARLY_PARALLEL
-                && kind != FeatureIds.VERTEX_B
-                && kind != FeatureIds.CLOSEST
-                && allows(px, py, pz, nx, ny, nz)) {
-            loose.add(group, t, name, x, y, z, m.separation[i] * along);
-            return true;
-        }
-        return false;
-    }
-
-    /**
-     * The points of a face are preferred to a slightly better pair of edges, to keep contacts calm.
-     * Where the surface does not let that face's normal be, it is the nearest points after all.
-     */
-    private void nearest(int t, double gx, double gy, double gz) {
-        Manifold m = manifold;
-        double d = narrowPhase.closest(view, shape, 0, 0, 0, 1, qx, qy, qz, qw, -gx, -gy, -gz, m);
-        double half = d / 2;
-        double x = m.pointX[0] + gx;
-        double y = m.pointY[0] + gy;
-        double z = m.pointZ[0] + gz;
-        double px = x - half * m.normalX;
-        double py = y - half * m.normalY;
-        double pz = z - half * m.normalZ;
-        if (d <= margin
-                && isOut(px, py, pz)
-                && m.normalX * nx + m.normalY * ny + m.normalZ * nz > 0
-                && allows(px, py, pz, m.normalX, m.normalY, m.normalZ)) {
-            int own = loose.group(m.normalX, m.normalY, m.normalZ);
-            loose.add(
-                    own,
-                    t,
-                    FeatureIds.CLOSEST,
-                    x + half * m.normalX,
-                    y + half * m.normalY,
-                    z + half * m.normalZ,
-                    d);
-        }
-    }
-
-    private boolean allows(double px, double py, double pz, double x, double y, double z) {
-        return cone.allows(set, found, px, py, pz, x, y, z, cx, cy, cz, tolerance);
-    }
-
-    /** Whether a place of the triangle is on an edge or at a corner that stands out. */
-    private boolean isOut(double px, double py, double pz) {
-        return TriangleSides.standsOut(
-                corner,
-                flags,
-                front > 0,
-                front * nx,
-                front * ny,
-                front * nz,
-                px,
-                py,
-                pz,
-                tolerance);
     }
 
     // One contact --------------------------------------------------------------------------------
