@@ -316,14 +316,7 @@ public final class Polyhedron {
         int n = vertexCount();
         return n > SCANNED
                 ? climb(dx, dy, dz, start(dx, dy, dz))
-                : n == 3 ? ofThree(dx, dy, dz) : scan(dx, dy, dz);
-    }
-
-    private int ofThree(double dx, double dy, double dz) {
-        double a = along(0, dx, dy, dz);
-        double b = along(1, dx, dy, dz);
-        double c = along(2, dx, dy, dz);
-        return a >= b ? (a >= c ? 0 : 2) : (b >= c ? 1 : 2);
+                : n == 3 ? TrianglePlanes.support(this, dx, dy, dz) : scan(dx, dy, dz);
     }
 
     /**

@@ -86,4 +86,12 @@ final class TrianglePlanes {
                         p.along(a, sx / length, sy / length, sz / length),
                         p.along(b, sx / length, sy / length, sz / length));
     }
+
+    /** The first of the three corners that is farthest along a direction. */
+    static int support(Polyhedron p, double dx, double dy, double dz) {
+        double a = p.along(0, dx, dy, dz);
+        double b = p.along(1, dx, dy, dz);
+        double c = p.along(2, dx, dy, dz);
+        return a >= b ? (a >= c ? 0 : 2) : (b >= c ? 1 : 2);
+    }
 }
