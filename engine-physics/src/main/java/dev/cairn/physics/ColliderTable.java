@@ -345,8 +345,7 @@ final class ColliderTable implements Stateful {
         GroundEdit.wake(colliders, table.sleepers, collider, after);
         colliders.replace(collider, collider == body ? whole.placed : whole.solid());
         specs[collider] = whole;
-        contacts().loosen(collider);
-        ContactMaterials.mixAll(contacts(), collider, colliders);
+        contacts().renew(collider, colliders);
         colliders.measure(body);
         table.registry.changed(body);
         return true;

@@ -479,19 +479,6 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     }
 
     /**
-     * The ground has other heights somewhere: rows on it are collided anew; between steps.
-     *
-     * @param collider of the ground
-     */
-    public void loosen(int collider) {
-        for (int row = 0; row < count; row++) {
-            if (colliderA[row] == collider || colliderB[row] == collider) {
-                keeps[row] = false;
-            }
-        }
-    }
-
-    /**
      * A collider's shape is another one: what its rows remember of the old one is forgotten, but
      * that they touch, and where and with what impulses; between steps.
      */
