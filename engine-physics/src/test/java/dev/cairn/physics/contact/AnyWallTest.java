@@ -141,8 +141,6 @@ class AnyWallTest {
             double slant,
             Material surface) {
         double spin = random.nextInt(3) == 0 ? 0 : StrictMath.pow(10, 4 * random.nextDouble());
-        // joints come apart at thousands of radians a second
-        spin = kind == JOINTED ? Math.min(spin, 100) : spin;
         double half = 0.5 * StrictMath.pow(10, -1.5 + 1.5 * random.nextDouble());
         double thin = half * StrictMath.pow(10, -1.3 * random.nextDouble());
         Quaterniond turn = Scenes.turn(random);
