@@ -110,6 +110,10 @@ final class SurfaceStage {
         jobs.run(storeJob, blocks);
     }
 
+    /**
+     * Lists and scratch for so many. All lists are as large as the largest, so that bodies that
+     * crowd into one block after the other let them grow once.
+     */
     private void prepare(int blocks, int workers) {
         if (lists.length < blocks) {
             int old = lists.length;
@@ -117,6 +121,13 @@ final class SurfaceStage {
             for (int b = old; b < lists.length; b++) {
                 lists[b] = new ContactList();
             }
+        }
+        int largest = 0;
+        for (ContactList list : lists) {
+            largest = Math.max(largest, list.capacity());
+        }
+        for (ContactList list : lists) {
+            list.ensureCapacity(largest);
         }
         if (scratch.length < workers) {
             int old = scratch.length;

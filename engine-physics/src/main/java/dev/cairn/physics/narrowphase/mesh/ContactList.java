@@ -30,10 +30,7 @@ public final class ContactList {
     /** Adds what a manifold holds: normal from surface to shape, points from the shape's centre. */
     void add(Manifold m, int ofTriangle) {
         if (count == points.length) {
-            points = Arrays.copyOf(points, 2 * count);
-            triangle = Arrays.copyOf(triangle, 2 * count);
-            number = Arrays.copyOf(number, 2 * number.length);
-            feature = Arrays.copyOf(feature, 2 * feature.length);
+            ensureCapacity(2 * count);
         }
         triangle[count] = ofTriangle;
         int at = NUMBERS * count;
@@ -50,6 +47,21 @@ public final class ContactList {
             feature[Manifold.POINTS * count + p] = m.feature[p];
         }
         points[count++] = m.pointCount;
+    }
+
+    /** How many contacts there is room for. */
+    public int capacity() {
+        return points.length;
+    }
+
+    /** Makes room for so many contacts. */
+    public void ensureCapacity(int contacts) {
+        if (contacts > points.length) {
+            points = Arrays.copyOf(points, contacts);
+            triangle = Arrays.copyOf(triangle, contacts);
+            number = Arrays.copyOf(number, NUMBERS * contacts);
+            feature = Arrays.copyOf(feature, Manifold.POINTS * contacts);
+        }
     }
 
     /** How many points a contact has. */
