@@ -4,6 +4,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
+import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.internal.Surface;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 
@@ -48,7 +49,7 @@ final class SurfaceRecycler {
     private double stepSquared;
 
     /** What the last turn gave. */
-    private double tx, ty, tz;
+    private final double[] t = new double[3];
 
     SurfaceRecycler(ColliderStore colliders, PairGroups groups) {
         this.colliders = colliders;
@@ -96,9 +97,9 @@ final class SurfaceRecycler {
         double[] g = c.ground;
         int at = ContactStore.GROUND * row;
         turn(surface, g[at], g[at + 1], g[at + 2]);
-        double nx = tx;
-        double ny = ty;
-        double nz = tz;
+        double nx = t[0];
+        double ny = t[1];
+        double nz = t[2];
         boolean flip = c.colliderA[row] == shape;
         c.setNormal(row, flip ? -nx : nx, flip ? -ny : ny, flip ? -nz : nz);
         double ex = s.apartX(surface, shape);
@@ -115,13 +116,13 @@ final class SurfaceRecycler {
                 turn(shape, c.kept[kept], c.kept[kept + 1], c.kept[kept + 2]);
             }
             double separation =
-                    nx * (ex + tx) + ny * (ey + ty) + nz * (ez + tz) - g[at + HEIGHT + p];
+                    nx * (ex + t[0]) + ny * (ey + t[1]) + nz * (ez + t[2]) - g[at + HEIGHT + p];
             farthest = Math.max(farthest, separation);
             // anchors are midway between the surfaces
             double half = 0.5 * separation;
-            double x = tx - half * nx;
-            double y = ty - half * ny;
-            double z = tz - half * nz;
+            double x = t[0] - half * nx;
+            double y = t[1] - half * ny;
+            double z = t[2] - half * nz;
             int own = ContactStore.anchor(point) + (flip ? 0 : 3);
             anchors[own] = x;
             anchors[own + 1] = y;
@@ -137,16 +138,15 @@ final class SurfaceRecycler {
 
     /** Into t: a direction of a collider's axes, in those of the world. */
     private void turn(int collider, double vx, double vy, double vz) {
-        double x = s.orientationX[collider];
-        double y = s.orientationY[collider];
-        double z = s.orientationZ[collider];
-        double w = s.orientationW[collider];
-        double ux = 2 * (y * vz - z * vy);
-        double uy = 2 * (z * vx - x * vz);
-        double uz = 2 * (x * vy - y * vx);
-        tx = vx + w * ux + (y * uz - z * uy);
-        ty = vy + w * uy + (z * ux - x * uz);
-        tz = vz + w * uz + (x * uy - y * ux);
+        Rotations.rotate(
+                s.orientationX[collider],
+                s.orientationY[collider],
+                s.orientationZ[collider],
+                s.orientationW[collider],
+                vx,
+                vy,
+                vz,
+                t);
     }
 
     /** Into t: the point of a round side that is deepest against a normal. */
@@ -154,15 +154,15 @@ final class SurfaceRecycler {
         int at = BodyStore.REVOLUTION * shape;
         double[] axis = bodies.revolution;
         turn(shape, axis[at], axis[at + 1], axis[at + 2]);
-        double cosine = tx * nx + ty * ny + tz * nz;
-        double dx = cosine * tx - nx;
-        double dy = cosine * ty - ny;
-        double dz = cosine * tz - nz;
+        double cosine = t[0] * nx + t[1] * ny + t[2] * nz;
+        double dx = cosine * t[0] - nx;
+        double dy = cosine * t[1] - ny;
+        double dz = cosine * t[2] - nz;
         double r = across == 0 ? 0 : across / Math.sqrt(dx * dx + dy * dy + dz * dz);
         double core = core(shape);
-        tx = along * tx + r * dx - core * nx;
-        ty = along * ty + r * dy - core * ny;
-        tz = along * tz + r * dz - core * nz;
+        t[0] = along * t[0] + r * dx - core * nx;
+        t[1] = along * t[1] + r * dy - core * ny;
+        t[2] = along * t[2] + r * dz - core * nz;
     }
 
     /** The radius around the core of a solid of revolution, of a ball its own, m. */
@@ -225,13 +225,13 @@ final class SurfaceRecycler {
         double ny = sign * m.normalY;
         double nz = sign * m.normalZ;
         turnBack(surface, nx, ny, nz);
-        g[at] = tx;
-        g[at + 1] = ty;
-        g[at + 2] = tz;
+        g[at] = t[0];
+        g[at + 1] = t[1];
+        g[at + 2] = t[2];
         turnBack(shape, nx, ny, nz);
-        double ox = tx;
-        double oy = ty;
-        double oz = tz;
+        double ox = t[0];
+        double oy = t[1];
+        double oz = t[2];
         double e =
                 nx * s.apartX(surface, shape)
                         + ny * s.apartY(surface, shape)
@@ -285,15 +285,14 @@ final class SurfaceRecycler {
 
     /** Into t: a direction of the world, in a collider's axes. */
     private void turnBack(int collider, double vx, double vy, double vz) {
-        double x = -s.orientationX[collider];
-        double y = -s.orientationY[collider];
-        double z = -s.orientationZ[collider];
-        double w = s.orientationW[collider];
-        double ux = 2 * (y * vz - z * vy);
-        double uy = 2 * (z * vx - x * vz);
-        double uz = 2 * (x * vy - y * vx);
-        tx = vx + w * ux + (y * uz - z * uy);
-        ty = vy + w * uy + (z * ux - x * uz);
-        tz = vz + w * uz + (x * uy - y * ux);
+        Rotations.rotate(
+                -s.orientationX[collider],
+                -s.orientationY[collider],
+                -s.orientationZ[collider],
+                s.orientationW[collider],
+                vx,
+                vy,
+                vz,
+                t);
     }
 }
