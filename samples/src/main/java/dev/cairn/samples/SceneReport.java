@@ -17,7 +17,7 @@ import java.util.Map;
  * @param tickMillisP99 duration that one tick in a hundred exceeds, ms
  * @param contacts pairs that touch at the end
  * @param kineticEnergy of all bodies at the end, J
- * @param maxPenetrationMetres deepest overlap over the run, measured by {@link Penetration}
+ * @param maxPenetrationMetres deepest overlap over the run, measured by {@code Penetration}
  * @param errors metrics against the scene's closed form, by name
  * @param digest state digest after the last tick, 16 hexadecimal digits
  * @param allocatedBytesPerTick bytes that a steady tick allocates, all threads of the simulation
