@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.samples.scenefile.SceneFile;
+import dev.cairn.samples.scenefile.SceneReader;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -19,6 +22,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -33,6 +37,11 @@ final class DocsTest {
     private static final Pattern EXPORT = Pattern.compile("exports (dev\\.cairn[\\w.]*);");
     private static final Pattern MEMBER =
             Pattern.compile("(?:public|static|final|record|class|interface|@Override)\\b");
+
+    /** Whole files on the pages, and who compiles and runs them. */
+    private static final Set<String> PROGRAMS =
+            Set.of("MyScene" /* here */, "JmeAdapter", "GdxAdapter" /* AdaptersTest */);
+
     static final Path ROOT = root();
 
     /** The repository: the nearest folder upwards with the pages. */
@@ -103,6 +112,37 @@ final class DocsTest {
     }
 
     /**
+     * A scene file in a program of one's own: read, changed, written, and drawn from its camera.
+     */
+    @Test
+    void theProgramWithASceneFileCompilesAndRuns(@TempDir Path folder)
+            throws IOException, InterruptedException {
+        String program =
+                blocks(page("scene-files.md")).stream()
+                        .filter(block -> block.contains("class MyScene "))
+                        .findFirst()
+                        .orElseThrow();
+        Path file = folder.resolve("MyScene.java");
+        Files.writeString(file, program);
+        compile(file, folder);
+        Path mine = folder.resolve("my.json");
+        String said = samples(0, "--scene", "stack", "--export-scene", mine.toString());
+        int entities = SceneReader.read(mine).entities().size();
+        if (dev.cairn.render.app.Offscreen.unavailableReason() == null) {
+            Path picture = folder.resolve("mine.png");
+            run(
+                    folder,
+                    "-Dcairn.picture=" + picture,
+                    "-Dcairn.tick=5",
+                    "-Dcairn.size=320x200",
+                    "MyScene");
+            assertTrue(Files.size(picture) > 1000, said);
+            SceneFile written = SceneReader.read(folder.resolve("mine.json"));
+            assertEquals(entities + 1, written.entities().size());
+        }
+    }
+
+    /**
      * Every other Java snippet of README and docs, as a member or as statements of a class that
      * inherits what the page takes as given ({@link SnippetContexts}) and what its snippets before
      * it declare.
@@ -150,6 +190,11 @@ final class DocsTest {
             String name = "Snippet_" + simple + "_" + (i + 1);
             Path file = folder.resolve(name + ".java");
             String block = blocks.get(i);
+            if (block.startsWith("import ")) {
+                Matcher whole = Pattern.compile("public (?:final )?class (\\w+)").matcher(block);
+                assertTrue(whole.find() && PROGRAMS.contains(whole.group(1)), block);
+                continue;
+            }
             Files.writeString(
                     file,
                     imports()
@@ -223,7 +268,7 @@ final class DocsTest {
         return text;
     }
 
-    private static void compile(Path file, Path to) {
+    static void compile(Path file, Path to) {
         compile(List.of(file), to);
     }
 

@@ -5,6 +5,7 @@ import dev.cairn.render.app.View;
 import dev.cairn.render.input.MouseButton;
 import dev.cairn.render.input.Pointer;
 import dev.cairn.samples.editor.gizmo.Gizmo;
+import dev.cairn.samples.editor.gizmo.Orbit;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.Xyz;
 import dev.cairn.samples.scenefile.edit.GroupEdit;
@@ -16,7 +17,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 
-/** What the left button does to the picture of a scene that rests. Window thread. */
+/** What the mouse does to the picture of a scene that rests. Window thread. */
 final class EditorMouse {
     /** Where a click over the sky is while nothing is selected, m. */
     private static final double AHEAD = 8;
@@ -31,6 +32,9 @@ final class EditorMouse {
 
     private final Editor editor;
     private final Gizmo gizmo = new Gizmo();
+    private final Orbit orbit = new Orbit();
+    private final Vector3d pivot = new Vector3d();
+    private boolean orbits;
     private @Nullable GroundDrag drag;
 
     /** Whether the cursor has gone far enough from where the button went down. */
@@ -73,6 +77,7 @@ final class EditorMouse {
 
     void frame(View view, long[] entities) {
         Pointer pointer = view.pointer();
+        orbit(view, pointer);
         boolean handles = gizmo.aim(view, editor);
         boolean down = pointer.isDown(MouseButton.LEFT);
         if (pointer.wasPressed(MouseButton.LEFT)) {
@@ -98,6 +103,26 @@ final class EditorMouse {
         if (handles && editor.selected() != Editor.NOTHING) {
             gizmo.aim(view, editor);
             gizmo.draw(view);
+        }
+    }
+
+    /** The middle button takes the camera around what is selected, else what is in the middle. */
+    private void orbit(View view, Pointer pointer) {
+        if (pointer.wasPressed(MouseButton.MIDDLE)) {
+            if (editor.selected() != Editor.NOTHING) {
+                editor.group().middle(pivot);
+            } else {
+                Pick pick = view.pick(0, 0);
+                double far = pick == null ? AHEAD : pick.distance();
+                Vector3d ahead = view.camera().forward(new Vector3d());
+                view.camera().position(pivot).fma(far, ahead);
+            }
+            orbit.begin(pivot, pointer.x(), pointer.y());
+            orbits = true;
+        } else if (orbits) {
+            // Also in the frame of the release, as with a drag.
+            orbit.go(view.camera(), pointer.x(), pointer.y(), view.aspect());
+            orbits = pointer.isDown(MouseButton.MIDDLE);
         }
     }
 

@@ -46,6 +46,7 @@ final class EditorProbe extends Sandbox {
     private final com.sun.management.ThreadMXBean threads =
             (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
     private final Vector3d eye = new Vector3d();
+    private final Vector3d ahead = new Vector3d();
     private long bytesBefore;
 
     private EditorProbe() {
@@ -70,7 +71,8 @@ final class EditorProbe extends Sandbox {
                                 + " selected=%d selectedX=%s selectedY=%s seenY=%.6f bytes=%d"
                                 + " asked=%b shortened=%d eyeZ=%.6f bodyX=%.6f bodyY=%.6f joints=%d"
                                 + " joint=%d awaited=%s count=%d tool=%s selectedZ=%s"
-                                + " texture=%s turnY=%.6f scaleX=%.6f scaleY=%.6f lowestY=%.6f",
+                                + " texture=%s turnY=%.6f scaleX=%.6f scaleY=%.6f lowestY=%.6f"
+                                + " eyeX=%.6f eyeY=%.6f aheadX=%.6f aheadY=%.6f aheadZ=%.6f",
                         view.frames(),
                         editor().mode(),
                         state.tick,
@@ -98,7 +100,12 @@ final class EditorProbe extends Sandbox {
                         chosen == null ? 0 : 2 * Math.asin(chosen.rotation().y()),
                         chosen == null ? 0 : chosen.scale().x(),
                         chosen == null ? 0 : chosen.scale().y(),
-                        lowest()));
+                        lowest(),
+                        eye.x,
+                        eye.y,
+                        view.camera().forward(ahead).x,
+                        ahead.y,
+                        ahead.z));
         double[] at = new double[2];
         for (int axis = 0; axis < 3 && chosen != null; axis++) {
             if (editorPanels().gizmo().handleAt(axis, at)) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.samples.window.WindowFixture;
 
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
@@ -30,11 +31,60 @@ class EditorToolsWindowTest extends WindowFixture {
         await("a box", seen -> seen.number("entities") == 2 && seen.number("seenY") == 0.5);
         settle();
         look("editor-move");
+        theMiddleButtonTakesTheCameraAroundTheSelection();
         anArrowMovesAlongItsAxisAlone();
         aCircleTurnsInSteps();
         aBarScalesOneAxis();
         severalThingsAreCopiedMovedAndPutDown();
         assertEquals(0, now().number("shortened"), last);
+    }
+
+    /** The way a quarter of the picture's height wide is an eighth of a turn; then all way back. */
+    private void theMiddleButtonTakesTheCameraAroundTheSelection()
+            throws IOException, InterruptedException {
+        Seen before = now();
+        moveTo(500, 300);
+        settle();
+        type("mousedown", "2");
+        settle();
+        moveTo(660, 300);
+        settle();
+        type("mouseup", "2");
+        settle();
+        Seen after = now();
+        look("editor-orbit");
+        Vector3d was = new Vector3d();
+        Vector3d is = new Vector3d();
+        assertEquals(fromSelected(before, was), fromSelected(after, is), 1e-4, last);
+        assertEquals(was.y, is.y, 1e-4, "as high as before: " + last);
+        Vector3d level = new Vector3d(was.x, 0, was.z);
+        assertEquals(Math.PI / 4, level.angle(new Vector3d(is.x, 0, is.z)), 1e-4, last);
+        assertEquals(along(before, was), along(after, is), 1e-4, "at its place: " + last);
+        assertEquals(before.number("steps"), after.number("steps"), "no edit: " + last);
+        moveTo(660, 300);
+        settle();
+        type("mousedown", "2");
+        settle();
+        moveTo(500, 300);
+        settle();
+        type("mouseup", "2");
+        settle();
+        assertEquals(before.number("eyeX"), now().number("eyeX"), 1e-4, last);
+    }
+
+    /** From the camera to the middle of the box, m. */
+    private static double fromSelected(Seen seen, Vector3d dest) {
+        return dest.set(
+                        seen.number("selectedX") - seen.number("eyeX"),
+                        seen.number("selectedY") - seen.number("eyeY"),
+                        seen.number("selectedZ") - seen.number("eyeZ"))
+                .length();
+    }
+
+    private static double along(Seen seen, Vector3d direction) {
+        return direction.x * seen.number("aheadX")
+                + direction.y * seen.number("aheadY")
+                + direction.z * seen.number("aheadZ");
     }
 
     private void dragHandle(int axis, double right, double down)
