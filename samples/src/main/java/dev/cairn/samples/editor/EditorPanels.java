@@ -359,7 +359,8 @@ public final class EditorPanels {
             editor.redo();
         }
         String label = editor.history().undoLabel();
-        text.clear().put(editor.history().steps()).put(" steps");
+        int steps = editor.history().steps();
+        text.clear().put(steps).put(steps == 1 ? " step" : " steps");
         ui.columns(1);
         ui.label(editor.isChanged() ? text.put(", unsaved") : text);
         ui.text(label == null ? "nothing to undo" : label);
