@@ -75,8 +75,7 @@ class ColoursWindowTest extends WindowFixture {
         type("key", "p");
         await("the pause", seen -> seen.flag("paused"));
         click("Window");
-        await("the switch", seen -> seen.values().containsKey("smooth_edgesY"));
-        while (now().number("smooth_edgesY") > now().number("uiHeight") - 30) {
+        while (seeing("smooth edges").number("smooth_edgesY") > now().number("uiHeight") - 30) {
             moveTo(880, 500);
             type("click", "5"); // it is below the panel's edge
             settle();

@@ -45,7 +45,7 @@ class MannersTest extends WindowFixture {
         try (WindowManager manager = manager()) {
             Seen before = now();
             manager.minimise();
-            Seen asleep = await("120 ticks without a frame", seen -> seen.flag("asleep"));
+            Seen asleep = awaitSleep("120 ticks without a frame");
             manager.restore();
             Seen again = await("to be drawn again", seen -> seen.values().containsKey("tick"));
             assertEquals(asleep.number("frame") + 1, again.number("frame"), last);

@@ -125,7 +125,7 @@ final class SandboxProbe extends Sandbox {
         long now = threads.getCurrentThreadAllocatedBytes();
         quietTicks = now == tickBytes ? quietTicks + 1 : 0;
         if (++ticksUnseen == ASLEEP_TICKS) {
-            out.printf("frame=%d asleep=true%n", framesShown);
+            out.printf("asleep=true frame=%d%n", framesShown);
             out.flush();
         }
         compare((int) Math.min(builtTick(), digests.length - 1), scene().physics().digest());

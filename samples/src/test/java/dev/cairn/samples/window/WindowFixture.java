@@ -98,7 +98,11 @@ public abstract class WindowFixture {
         }
 
         public double number(String key) {
-            return Double.parseDouble(values.get(key));
+            String value = values.get(key);
+            if (value == null) {
+                throw new AssertionError("nothing of " + key + " is told by " + values);
+            }
+            return Double.parseDouble(value);
         }
 
         public boolean is(String key, String value) {
@@ -258,9 +262,16 @@ public abstract class WindowFixture {
                         at[1] + at[3] / 2);
     }
 
+    /** The newest frame that has a widget; a slow machine's first frames have not all of them. */
+    public Seen seeing(String label) throws IOException, InterruptedException {
+        lines.clear();
+        String key = label.replace(' ', '_') + "X";
+        return await(label + " to be drawn", seen -> seen.values().containsKey(key));
+    }
+
     /** Clicks on a widget whose middle the probe tells. */
     public void click(String label) throws IOException, InterruptedException {
-        Seen seen = now();
+        Seen seen = seeing(label);
         String key = label.replace(' ', '_');
         double scale = Double.parseDouble(seen.values().getOrDefault("uiScale", "1"));
         moveTo(seen.number(key + "X") * scale, seen.number(key + "Y") * scale);
@@ -343,9 +354,22 @@ public abstract class WindowFixture {
     /** Reads what the window shows, frame by frame, until it is so. */
     public Seen await(String what, Predicate<Seen> condition)
             throws IOException, InterruptedException {
+        return await(what, "frame=", condition);
+    }
+
+    /**
+     * Reads until the program tells that ticks pass without a frame. A slow machine's first frame
+     * may take as long, so such a line is none of a frame's.
+     */
+    public Seen awaitSleep(String what) throws IOException, InterruptedException {
+        return await(what, "asleep=", seen -> true);
+    }
+
+    private Seen await(String what, String begin, Predicate<Seen> condition)
+            throws IOException, InterruptedException {
         while (true) {
             String line = lines.poll(200, TimeUnit.MILLISECONDS);
-            if (line != null && line.startsWith("frame=")) {
+            if (line != null && line.startsWith(begin)) {
                 last = line;
                 Seen seen = Seen.of(line);
                 if (condition.test(seen)) {
