@@ -262,6 +262,9 @@ public final class ContactSolver {
         }
         boolean renewed = p.findRenewed(head, tail, from, to);
         boolean small = batches.isSmall(b);
+        if (small) {
+            p.lookAtCores(from, to);
+        }
         boolean bounces = collector.bouncers.to(b) > collector.bouncers.from(b);
         boolean balls = bounces && p.hasBalls(b);
         if (bounces) {
@@ -287,7 +290,7 @@ public final class ContactSolver {
             for (int d = 0; d < supports.direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
             }
-            if (renewed && small) {
+            if (small) {
                 p.guard(sub, from, to);
             }
             p.carry(sub, b, own);
@@ -300,7 +303,7 @@ public final class ContactSolver {
             if (renewed) {
                 p.keep(head, tail);
                 p.takeOut(from, to, own);
-                p.renewBodies(head, tail);
+                p.renewBodies(sub, head, tail);
                 p.renewRows(sub, k, from, to, own);
             }
             p.joints.turn(sub, firstJoined, endJoined, own);

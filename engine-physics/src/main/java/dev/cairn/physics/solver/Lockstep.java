@@ -479,7 +479,7 @@ final class Lockstep {
     }
 
     private void renewBodies(int block, int worker) {
-        passes.renewBodies(bodiesFrom(block), bodiesTo(block));
+        passes.renewBodies(pace, bodiesFrom(block), bodiesTo(block));
     }
 
     private void renewRows(int block, int worker) {

@@ -22,6 +22,7 @@ import dev.cairn.physics.solver.load.StartPass;
 import dev.cairn.physics.solver.load.StartSweep;
 import dev.cairn.physics.solver.load.StaticStart;
 import dev.cairn.physics.solver.load.Unloading;
+import dev.cairn.physics.solver.refresh.CoreGuard;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.KindRows;
@@ -42,6 +43,7 @@ final class Passes {
     final ConstraintRows rows;
     private final SolverBodies body;
     private final JacobianRefresh refresh = new JacobianRefresh();
+    private final CoreGuard cores = new CoreGuard();
 
     /** What is done row by row. */
     private final ScalarPasses one;
@@ -87,6 +89,7 @@ final class Passes {
     void ensureCapacity(int slots) {
         refresh.ensureCapacity(slots);
         refresh.ensurePlaces(rows);
+        cores.ensurePlaces(rows.settleMark.length);
         for (int k = 0; k < sides.count(); k++) {
             refresh.keep(sides.slot(k));
         }
@@ -242,10 +245,17 @@ final class Passes {
         }
     }
 
-    /** Keeps the cores of what moves far out of what does not move; rows of doubles. */
+    /** Measures how far the cores of bodies are from what does not move; rows of doubles. */
+    void lookAtCores(int from, int to) {
+        if (!rows.isSingle) {
+            cores.look(rows, tick.contacts, tick.bodies, from, to);
+        }
+    }
+
+    /** Keeps the cores of what moves out of what does not move; rows of doubles. */
     void guard(SubStep sub, int from, int to) {
         if (!rows.isSingle) {
-            refresh.guard(rows, body, tick.bodies, sub, from, to);
+            cores.keepOut(rows, body, sub, from, to);
         }
     }
 
@@ -285,10 +295,10 @@ final class Passes {
         refresh.unload(rows, body.warm, from, to, bench.renew);
     }
 
-    void renewBodies(int from, int to) {
+    void renewBodies(SubStep sub, int from, int to) {
         for (int k = from; k < to; k++) {
             if (refresh.stirs(tick.order[k])) {
-                refresh.body(body, tick.bodies, tick.order[k]);
+                refresh.body(body, tick.bodies, tick.order[k], sub.seconds);
                 round(tick.order[k]);
             }
         }

@@ -3,18 +3,10 @@ package dev.cairn.physics.solver.body;
 import dev.cairn.physics.internal.BodyStore;
 
 /**
- * Free rotation of one body, in place in a {@link BodyStore}.
+ * Turns of one body, in place in a {@link BodyStore}; free rotation is {@link Tumbling}'s.
  *
- * <p>Sphere-like bodies turn by the exact exponential. Others take one Strang step: with body
- * momentum {@code m = I R^T w} the energy is {@code sum m_i^2 / 2 I_i}, each term of which turns
- * the body about a principal axis at constant rate; the flows are composed 1 2 3 2 1 with half
- * steps outside. Each flow turns body and momentum by opposite angles, so the world momentum {@code
- * R m} is exact, energy stays bounded, and the order is two. Sines and cosines are polynomials: the
- * same bits on every machine.
- *
- * <p>Source: McLachlan, "Explicit Lie-Poisson integration and the Euler equations" (1993);
- * Dullweber, Leimkuhler, McLachlan, "Symplectic splitting methods for rigid body molecular
- * dynamics" (1997).
+ * <p>Turns are the exact exponential. Sines and cosines are polynomials: the same bits on every
+ * machine.
  */
 public final class Rotation {
     private static final double SMALL = 0.25;
@@ -173,107 +165,5 @@ public final class Rotation {
         bodies.orientationY[i] = y * k;
         bodies.orientationZ[i] = z * k;
         bodies.orientationW[i] = w * k;
-    }
-
-    /**
-     * One Strang step of a body with different moments of inertia.
-     *
-     * @param bodies orientation is read and written
-     * @param i slot
-     * @param axes principal axes, its own at {@code p}
-     * @param p index there
-     * @param w array that holds the world angular velocity, read and written
-     * @param o index of its first component
-     * @param h step, s
-     */
-    static void strang(BodyStore bodies, int i, double[] axes, int p, double[] w, int o, double h) {
-        double px = axes[p + PrincipalAxes.QX];
-        double py = axes[p + PrincipalAxes.QX + 1];
-        double pz = axes[p + PrincipalAxes.QX + 2];
-        double pw = axes[p + PrincipalAxes.QX + 3];
-        double bx = bodies.orientationX[i];
-        double by = bodies.orientationY[i];
-        double bz = bodies.orientationZ[i];
-        double bw = bodies.orientationW[i];
-        // q = worldFromPrincipal = worldFromBody bodyFromPrincipal
-        double qx = bw * px + bx * pw + (by * pz - bz * py);
-        double qy = bw * py + by * pw + (bz * px - bx * pz);
-        double qz = bw * pz + bz * pw + (bx * py - by * px);
-        double qw = bw * pw - (bx * px + by * py + bz * pz);
-        double i1 = axes[p + PrincipalAxes.MOMENT];
-        double i2 = axes[p + PrincipalAxes.MOMENT + 1];
-        double i3 = axes[p + PrincipalAxes.MOMENT + 2];
-        // m = I R^T w, with R^T w = w + 2 u x (u x w - qw w), u the vector part
-        double wx = w[o];
-        double wy = w[o + 1];
-        double wz = w[o + 2];
-        double tx = 2 * (qy * wz - qz * wy);
-        double ty = 2 * (qz * wx - qx * wz);
-        double tz = 2 * (qx * wy - qy * wx);
-        double m1 = i1 * (wx - qw * tx + (qy * tz - qz * ty));
-        double m2 = i2 * (wy - qw * ty + (qz * tx - qx * tz));
-        double m3 = i3 * (wz - qw * tz + (qx * ty - qy * tx));
-        for (int flow = 0; flow < 5; flow++) {
-            // flow of m_k^2 / 2 I_k: turn by a = m_k h / I_k about axis k; half angle x
-            int axis = flow < 3 ? flow : 4 - flow;
-            double rate = axis == 0 ? m1 / i1 : axis == 1 ? m2 / i2 : m3 / i3;
-            double x = rate * (flow == 2 ? 0.5 * h : 0.25 * h);
-            double s = sin(x);
-            double c = cos(x);
-            double sin2 = 2 * s * c;
-            double cos2 = c * c - s * s;
-            double ax = qx;
-            double ay = qy;
-            double az = qz;
-            double aw = qw;
-            if (axis == 0) {
-                qx = ax * c + aw * s;
-                qy = ay * c + az * s;
-                qz = az * c - ay * s;
-                qw = aw * c - ax * s;
-                double n = cos2 * m2 + sin2 * m3;
-                m3 = cos2 * m3 - sin2 * m2;
-                m2 = n;
-            } else if (axis == 1) {
-                qx = ax * c - az * s;
-                qy = ay * c + aw * s;
-                qz = az * c + ax * s;
-                qw = aw * c - ay * s;
-                double n = cos2 * m3 + sin2 * m1;
-                m1 = cos2 * m1 - sin2 * m3;
-                m3 = n;
-            } else {
-                qx = ax * c + ay * s;
-                qy = ay * c - ax * s;
-                qz = az * c + aw * s;
-                qw = aw * c - az * s;
-                double n = cos2 * m1 + sin2 * m2;
-                m2 = cos2 * m2 - sin2 * m1;
-                m1 = n;
-            }
-        }
-        double k = 1 / Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
-        qx *= k;
-        qy *= k;
-        qz *= k;
-        qw *= k;
-        // w = R I^-1 m
-        double vx = m1 / i1;
-        double vy = m2 / i2;
-        double vz = m3 / i3;
-        tx = 2 * (qy * vz - qz * vy);
-        ty = 2 * (qz * vx - qx * vz);
-        tz = 2 * (qx * vy - qy * vx);
-        w[o] = vx + qw * tx + (qy * tz - qz * ty);
-        w[o + 1] = vy + qw * ty + (qz * tx - qx * tz);
-        w[o + 2] = vz + qw * tz + (qx * ty - qy * tx);
-        // worldFromBody = q bodyFromPrincipal^-1
-        store(
-                bodies,
-                i,
-                -qw * px + qx * pw - (qy * pz - qz * py),
-                -qw * py + qy * pw - (qz * px - qx * pz),
-                -qw * pz + qz * pw - (qx * py - qy * px),
-                qw * pw + (qx * px + qy * py + qz * pz));
     }
 }

@@ -41,7 +41,7 @@ public final class Tumbling {
     /** The largest turn of one step, rad; faster bodies take several. */
     private static final double TURN = 0.25;
 
-    /** So many steps at most; who turns faster still is left to the splitting. */
+    /** So many steps at most; of who turns faster still, only what he does in the mean is known. */
     private static final int STEPS = 128;
 
     /** Up to this turn of a step, rad, the iteration converges for any moments. */
@@ -90,15 +90,11 @@ public final class Tumbling {
         }
         double speed = Math.sqrt(w[o] * w[o] + w[o + 1] * w[o + 1] + w[o + 2] * w[o + 2]);
         double parts = Math.max(1, Math.min(Math.ceil(Math.abs(h) * speed / TURN), STEPS));
-        if (own < 0 && !(Math.abs(h) * speed <= FAR * parts)) {
-            for (int k = 0; k < count; k++) {
-                Rotation.strang(bodies, i, axes, p, w, o, h);
-            }
-            return;
-        }
         multiply(bodies, i, axes, p + PrincipalAxes.QX, 1);
         if (own >= 0) {
             symmetric(bodies, i, axes[p + own], axes[p + (own + 1) % 3], own, w, o, h * count);
+        } else if (!(Math.abs(h) * speed <= FAR * parts)) {
+            precess(bodies, i, i1, i2, i3, w, o, h * count);
         } else {
             moserVeselov(bodies, i, i1, i2, i3, w, o, h / parts, count * (int) parts);
         }
@@ -151,6 +147,51 @@ public final class Tumbling {
         for (int k = 0; k < 3; k++) {
             w[o + k] += own * Rotation.axis(b, i, axis, k);
         }
+    }
+
+    /**
+     * Whole rounds of the momentum's path in the body: there it stays, and the body turns about it
+     * by what the path adds up to in the mean. Energy and momentum are kept to rounding.
+     *
+     * <p>About the axis of the least moment that is {@code t L (1/Ia + 1/Ib)/2} with the other two
+     * moments, as of a body whose are equal: a needle that whirls about itself tumbles slowly.
+     * About that of the largest it is {@code t 2E/L}, since {@code w.L = 2E} at all times.
+     */
+    private static void precess(
+            BodyStore b, int i, double i1, double i2, double i3, double[] w, int o, double t) {
+        double w1 = own(b, i, 0, w, o);
+        double w2 = own(b, i, 1, w, o);
+        double w3 = own(b, i, 2, w, o);
+        double y1 = i1 * w1;
+        double y2 = i2 * w2;
+        double y3 = i3 * w3;
+        double energy = y1 * w1 + y2 * w2 + y3 * w3;
+        double square = y1 * y1 + y2 * y2 + y3 * y3;
+        double largest = Math.max(i1, Math.max(i2, i3));
+        double middle = Math.max(Math.min(i1, i2), Math.min(Math.max(i1, i2), i3));
+        boolean aboutLeast = square < energy * middle;
+        double perMoment = aboutLeast ? 0.5 * (1 / middle + 1 / largest) : energy / square;
+        double x = y1 * Rotation.axis(b, i, 0, 0);
+        double y = y1 * Rotation.axis(b, i, 0, 1);
+        double z = y1 * Rotation.axis(b, i, 0, 2);
+        x += y2 * Rotation.axis(b, i, 1, 0) + y3 * Rotation.axis(b, i, 2, 0);
+        y += y2 * Rotation.axis(b, i, 1, 1) + y3 * Rotation.axis(b, i, 2, 1);
+        z += y2 * Rotation.axis(b, i, 1, 2) + y3 * Rotation.axis(b, i, 2, 2);
+        double angle = t * perMoment;
+        Rotation.turn(b, i, angle * x, angle * y, angle * z);
+        for (int k = 0; k < 3; k++) {
+            w[o + k] =
+                    w1 * Rotation.axis(b, i, 0, k)
+                            + w2 * Rotation.axis(b, i, 1, k)
+                            + w3 * Rotation.axis(b, i, 2, k);
+        }
+    }
+
+    /** Component of a world vector along the body's axis of that number. */
+    private static double own(BodyStore b, int i, int axis, double[] w, int o) {
+        return w[o] * Rotation.axis(b, i, axis, 0)
+                + w[o + 1] * Rotation.axis(b, i, axis, 1)
+                + w[o + 2] * Rotation.axis(b, i, axis, 2);
     }
 
     /** {@code count} steps of length {@code h}; the orientation is that of the principal axes. */

@@ -1,79 +1,118 @@
 package dev.cairn.physics.solver.refresh;
 
+import static dev.cairn.physics.solver.row.ConstraintRows.COUNT;
 import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
 import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
 import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
 import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
+import static dev.cairn.physics.solver.row.ConstraintRows.SOURCE;
 import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.SubStep;
 
 /**
- * The ball inside of a body, about its centre of mass, does not go into what does not move and what
- * the body touches.
+ * A ball of half the inner radius, about the centre of mass of a body of one shape, does not go
+ * into what does not move and what the body touches.
  *
- * <p>Problem: a contact has the points of the tick's start. A small stick that falls by more than
- * its length in a sub-step lands on one tip, turns about it by more than linear levers know of, and
- * has its other end, which is in no point, and its middle far below the floor; a thin floor it
- * leaves on the other side. But in whatever pose, the body holds its inner ball.
+ * <p>Problem: a contact is soft and has the points of the tick's start. A plate of a tenth of a
+ * millimetre under a heavy body, or in ticks of very different lengths, sinks a little in each,
+ * until its middle is below the floor; a small stick that falls by more than its length in a
+ * sub-step lands on one tip, turns about it by more than linear levers know of, and has its other
+ * end, which is in no point, and its middle far below the floor. But in whatever pose, the body
+ * holds its inner ball.
  *
  * <p>With n the normal from what does not move, g the gap of the ball and v the velocity of the
  * centre of mass, the middle may close that gap at most: {@code n.v h >= -max(g, 0)}. What is
  * missing is an impulse along n through the centre of mass. It is inelastic, {@code |n.v|} only
- * falls, so it takes energy out; it is no part of the warm start. Only where the middle would cover
- * more than the inner radius in the sub-step, so that what rests, rolls or rocks has no such point.
+ * falls, so it takes energy out; it is no part of the warm start. What overlaps by less than half
+ * of its inner radius knows nothing of it.
  */
-final class CoreGuard {
-    private CoreGuard() {}
+public final class CoreGuard {
+    /** Of the inner radius: the ball. The other half is left to the contact, which is soft. */
+    private static final double CORE = 0.5;
+
+    /** By place: gap of the ball at the tick's start, m; infinite where nothing is guarded. */
+    private double[] gap = {};
+
+    public void ensurePlaces(int places) {
+        if (gap.length < places) {
+            gap = new double[places];
+        }
+    }
+
+    /** Measures the gaps at the tick's start; ranges of places. */
+    public void look(ConstraintRows rows, ContactStore c, BodyStore b, int from, int to) {
+        for (int j = from; j < to; j++) {
+            int l = LINK * j;
+            int a = rows.link[l];
+            int other = rows.link[l + 1];
+            gap[j] = Double.POSITIVE_INFINITY;
+            if (rows.link[l + COUNT] == 0 || (a != 0 && other != 0)) {
+                continue;
+            }
+            int slot = SolverBodies.slot(a + other);
+            // of several shapes, the one that is touched need not hold the centre of mass
+            if (b.collider[slot] == slot) {
+                int source = rows.link[l + SOURCE];
+                gap[j] = height(c, source, a == 0) - CORE * b.innerRadius[slot];
+            }
+        }
+    }
 
     /**
-     * Guards the body of one row.
-     *
-     * @param record of the row at the tick's start, from {@code k} on
+     * Guards the bodies of rows, before bodies move. Any range of places: each row changes its own
+     * body alone, and such rows of one body are in the order of places.
      */
-    static void keepOut(
+    public void keepOut(ConstraintRows rows, SolverBodies s, SubStep sub, int from, int to) {
+        double[] v = s.state;
+        for (int j = from; j < to; j++) {
+            if (gap[j] == Double.POSITIVE_INFINITY) {
+                continue;
+            }
+            int a = rows.link[j * LINK];
+            int o = a + rows.link[j * LINK + 1];
+            int k = rows.base(j);
+            double sign = a == 0 ? 1 : -1;
+            double nx = sign * rows.get(k);
+            double ny = sign * rows.get(k + rows.lanes);
+            double nz = sign * rows.get(k + 2 * rows.lanes);
+            double speed = nx * v[o] + ny * v[o + 1] + nz * v[o + 2];
+            // who is no faster does not use up the gap in all of the tick
+            if (-speed * sub.seconds * sub.count > Math.max(gap[j], 0)) {
+                int p = o + SolverBodies.P;
+                double moved = nx * v[p] + ny * v[p + 1] + nz * v[p + 2];
+                double change = -Math.max(gap[j] + moved, 0) * sub.inverse - speed;
+                if (change > 0 && presses(rows, j)) {
+                    push(rows, s, j, o, change * nx, change * ny, change * nz, change);
+                }
+            }
+        }
+    }
+
+    private static void push(
             ConstraintRows rows,
             SolverBodies s,
-            BodyStore b,
-            SubStep sub,
             int j,
-            double[] record,
-            int k) {
-        int a = rows.link[j * LINK];
-        int other = rows.link[j * LINK + 1];
-        if (a != 0 && other != 0) {
-            return;
-        }
-        int o = a + other;
-        double sign = a == 0 ? 1 : -1;
+            int o,
+            double x,
+            double y,
+            double z,
+            double change) {
         double[] v = s.state;
-        double nx = sign * record[k];
-        double ny = sign * record[k + 1];
-        double nz = sign * record[k + 2];
-        double speed = nx * v[o] + ny * v[o + 1] + nz * v[o + 2];
-        double radius = b.innerRadius[SolverBodies.slot(o)];
-        if (!(speed * sub.seconds * sub.count < -radius) || !presses(rows, j)) {
-            return;
-        }
-        int p = o + SolverBodies.P;
-        double moved = nx * v[p] + ny * v[p + 1] + nz * v[p + 2];
-        double gap = moved + height(rows, j, record, k, a == 0 ? 3 : 0, nx, ny, nz) - radius;
-        double least = -Math.max(gap, 0) * sub.inverse;
-        if (speed >= least) {
-            return;
-        }
-        double change = least - speed;
-        int w = o / SolverBodies.STRIDE * SolverBodies.HALF;
         double[] mark = s.mark;
-        v[o] += change * nx;
-        v[o + 1] += change * ny;
-        v[o + 2] += change * nz;
-        mark[w] += change * nx;
-        mark[w + 1] += change * ny;
-        mark[w + 2] += change * nz;
+        int w = o / SolverBodies.STRIDE * SolverBodies.HALF;
+        v[o] += x;
+        v[o + 1] += y;
+        v[o + 2] += z;
+        mark[w] += x;
+        mark[w + 1] += y;
+        mark[w + 2] += z;
+        // the closed forms for a body on one contact know nothing of this
+        s.guide[SolverBodies.slot(o)] = SolverBodies.BOUND;
         int sum = rows.base(j) + SUM * rows.lanes;
         rows.put(sum, rows.get(sum) + change / v[o + SolverBodies.MASS]);
     }
@@ -91,24 +130,20 @@ final class CoreGuard {
     }
 
     /**
-     * How high the centre of mass was over the surface when the tick began. Anchors lie midway in
-     * the gap s, so it is {@code s/2 - n.r}, r the anchor seen from the centre.
+     * How high the centre of mass is over the surface. Anchors lie midway in the gap s, so it is
+     * {@code s/2 - n.r}, r the anchor seen from the centre.
      */
-    private static double height(
-            ConstraintRows rows,
-            int j,
-            double[] record,
-            int k,
-            int side,
-            double nx,
-            double ny,
-            double nz) {
+    private static double height(ContactStore c, int source, boolean isB) {
+        double sign = isB ? 1 : -1;
+        double nx = sign * c.normalX(source);
+        double ny = sign * c.normalY(source);
+        double nz = sign * c.normalZ(source);
         double most = Double.NEGATIVE_INFINITY;
-        int q = k + RefreshRow.POINTS;
-        for (int i = 0; i < rows.points(j); i++, q += RefreshRow.NUMBERS) {
-            int r = q + side;
-            double along = nx * record[r] + ny * record[r + 1] + nz * record[r + 2];
-            most = Math.max(most, 0.5 * record[q + RefreshRow.GAPS] - along);
+        int first = ContactStore.POINTS * source;
+        for (int p = first; p < first + c.pointCount[source]; p++) {
+            int r = ContactStore.anchor(p) + (isB ? 3 : 0);
+            double along = nx * c.anchors[r] + ny * c.anchors[r + 1] + nz * c.anchors[r + 2];
+            most = Math.max(most, 0.5 * c.separation[p] - along);
         }
         return most;
     }

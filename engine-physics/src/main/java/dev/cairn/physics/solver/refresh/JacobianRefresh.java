@@ -49,6 +49,9 @@ public final class JacobianRefresh {
     /** Way in a tick over the outer radius beyond which levers do not age by a tick at all. */
     private static final double FAR = 0.1;
 
+    /** Turn in a sub-step, rad, after which the root of a body that stood still is not its own. */
+    private static final double STRUCK = 0.05;
+
     /** Numbers to a row in {@link #kept}. */
     private static final int KEPT = RefreshRow.RECORD;
 
@@ -71,6 +74,9 @@ public final class JacobianRefresh {
     /** By slot: whether a row of the body is renewed. */
     private boolean[] stirred = {};
 
+    /** By slot: whether the body turns since a blow within the tick; its rows do not know. */
+    private boolean[] struck = {};
+
     public void ensureCapacity(int slots) {
         if (turns.length < slots) {
             int n = Math.max(slots, turns.length + (turns.length >> 1));
@@ -78,6 +84,7 @@ public final class JacobianRefresh {
             start = Arrays.copyOf(start, 4 * n);
             turn = Arrays.copyOf(turn, 9 * n);
             stirred = Arrays.copyOf(stirred, n);
+            struck = Arrays.copyOf(struck, n);
         }
     }
 
@@ -108,6 +115,7 @@ public final class JacobianRefresh {
     /** A body's root is renewed in each sub-step, as joints hang on it; after {@link #look}. */
     public void turnAlways(BodyStore b, int i) {
         turns[i] = true;
+        struck[i] = false;
         start[4 * i] = b.orientationX[i];
         start[4 * i + 1] = b.orientationY[i];
         start[4 * i + 2] = b.orientationZ[i];
@@ -231,20 +239,6 @@ public final class JacobianRefresh {
     }
 
     /**
-     * Keeps the cores of bodies out of what does not move, see {@link CoreGuard}; after the bias
-     * pass, before bodies move. Any range of places: each row changes its own body alone, and such
-     * rows of one body are in the order of places.
-     */
-    public void guard(
-            ConstraintRows rows, SolverBodies s, BodyStore b, SubStep sub, int from, int to) {
-        for (int j = from; j < to; j++) {
-            if (renewed[j] != 0) {
-                CoreGuard.keepOut(rows, s, b, sub, j, kept, KEPT * j);
-            }
-        }
-    }
-
-    /**
      * Takes the impulses of the rows out of the bodies' warm start; blocks of a colour. A body that
      * turns begins with none, so its rows need not be looked at.
      */
@@ -260,22 +254,34 @@ public final class JacobianRefresh {
         }
     }
 
-    /** Gives a body that turns the root of its present inertia; blocks of bodies. */
-    public void body(SolverBodies s, BodyStore b, int i) {
+    /**
+     * Gives a body that turns the root of its present inertia; blocks of bodies. Who did not when
+     * the tick began does from here on if a blow has turned him by far in this sub-step.
+     *
+     * @param seconds length of the sub-step, s
+     */
+    public void body(SolverBodies s, BodyStore b, int i, double seconds) {
         int o = SolverBodies.offset(i);
         int w = (i + 1) * SolverBodies.HALF;
-        if (!turns[i]) {
-            System.arraycopy(s.state, o, s.mark, w, 6);
-            return;
-        }
         double x = s.world(i, o + 3, 0);
         double y = s.world(i, o + 3, 1);
         double z = s.world(i, o + 3, 2);
+        if (!turns[i]) {
+            if (s.axes.isIsotropic(i)
+                    || !((x * x + y * y + z * z) * (seconds * seconds) > STRUCK * STRUCK)) {
+                System.arraycopy(s.state, o, s.mark, w, 6);
+                return;
+            }
+            turnAlways(b, i);
+            struck[i] = true;
+        }
         s.rootOfInertia(b, i, s.state[o + SolverBodies.GRAVITY]);
         s.weigh(i, x, y, z);
         Arrays.fill(s.state, o + SolverBodies.P + 3, o + SolverBodies.P + 6, 0.0);
         System.arraycopy(s.state, o, s.mark, w, 6);
-        Arrays.fill(s.warm, w, w + 6, 0.0);
+        if (!struck[i]) {
+            Arrays.fill(s.warm, w, w + 6, 0.0);
+        }
         turned(b, i);
     }
 
