@@ -316,13 +316,16 @@ final class SurfaceStage {
             Scratch own) {
         Arrays.fill(own.taken, 0, contactCount, false);
         boolean few = (long) contactCount * rowCount <= MOST_COMPARED;
+        if (few) {
+            compare(from, contactCount, rowCount, isFirst, list, own);
+        }
         for (int left = contactCount; few && left > 0; left--) {
             double most = 0;
             int bestRow = -1;
             int best = -1;
             for (int k = 0; k < rowCount; k++) {
                 for (int m = 0; own.of[k] < 0 && m < contactCount; m++) {
-                    double alike = own.taken[m] ? -1 : alike(own.row[k], from + m, isFirst, list);
+                    double alike = own.taken[m] ? -1 : own.alike[k * contactCount + m];
                     if (alike > most) {
                         most = alike;
                         bestRow = k;
@@ -345,6 +348,24 @@ final class SurfaceStage {
                 k++;
             }
             own.of[k] = from + m;
+        }
+    }
+
+    /** How much each row and each contact are alike. */
+    private void compare(
+            int from,
+            int contactCount,
+            int rowCount,
+            boolean isFirst,
+            ContactList list,
+            Scratch own) {
+        if (contactCount * rowCount > own.alike.length) {
+            own.alike = new double[2 * contactCount * rowCount];
+        }
+        for (int k = 0; k < rowCount; k++) {
+            for (int m = 0; m < contactCount; m++) {
+                own.alike[k * contactCount + m] = alike(own.row[k], from + m, isFirst, list);
+            }
         }
     }
 
@@ -386,6 +407,10 @@ final class SurfaceStage {
         int[] of = new int[16];
 
         boolean[] taken = new boolean[16];
+
+        /** Of each row and each contact. */
+        double[] alike = new double[256];
+
         double qx, qy, qz, qw;
 
         Scratch(SurfaceRecycler recycler) {

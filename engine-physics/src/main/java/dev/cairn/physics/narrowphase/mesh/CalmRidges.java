@@ -25,7 +25,8 @@ import java.util.Arrays;
  * maximum on one that isn't calm.
  *
  * <p>Flats of the shape that are nearly parallel to a face rest on it with points at the rim, as
- * points of the face; therefore the normal is first leaned by {@link #LEAN} away from the ridge.
+ * points of the face. So a ridge is wholly calm if that holds for the normal leaned by {@link
+ * #LEAN} away from it, too; else there may be such points, but no normal beside the face's.
  *
  * <p>Source: local maxima of the separation of convex sets on the sphere of directions, as in D.
  * Gregorius, "The Separating Axis Test between Convex Polyhedra" (GDC 2013), where edges are pruned
@@ -36,16 +37,26 @@ final class CalmRidges {
     private static final double LEAN = 0.11;
 
     /**
-     * Of a deepest point under the face's plane: how far it must be from the ridge, in its depths.
-     * Below its plane a face tells the whole arc only up to the angle whose tangent that is, 89
-     * degrees.
+     * Tangent of the angle between faces of which one is not here, 89 degrees; and the most that
+     * counts for any.
      */
-    private static final double PER_DEPTH = 64;
+    private static final double STEEP = 64;
 
-    /** Keys of calm ridges, 0 where there is none, in an open table of a power of two. */
+    /**
+     * Numbers of a ridge: the normal of the face that saw it first, and of the angle between its
+     * faces the tangent, what it is bounded by from the first face and from the other one, and with
+     * what is flat from either.
+     */
+    private static final int TANGENT = 3, FIRST = 4, OTHER = 5, FLATS = 6, NUMBERS = 7;
+
+    /** Keys of ridges, 0 where there is none, in an open table of a power of two. */
     private long[] keys = new long[128];
 
+    private double[] number = new double[128 * NUMBERS];
     private int count;
+
+    /** A place of the shape, from its centre, mesh axes, m. */
+    private double sx, sy, sz;
 
     void clear() {
         if (count > 0) {
@@ -57,8 +68,8 @@ final class CalmRidges {
     /**
      * Looks at the ridges of a triangle.
      *
-     * @param edges bit e for a ridge from corner e to the next
-     * @param corner three times x, y, z, from the shape's centre, mesh axes, m
+     * @param edges bit e for a ridge from corner e to the next; later questions are about these
+     * @param c three times x, y, z, from the shape's centre, mesh axes, m
      * @param nx unit normal towards the shape
      * @param front 1, or -1 if the corners go round the normal clockwise
      * @param pair whose A is the shape, with its orientation in the mesh's axes
@@ -67,17 +78,48 @@ final class CalmRidges {
             TriangleSet set,
             int t,
             int edges,
-            double[] corner,
+            double[] c,
             double nx,
             double ny,
             double nz,
             double front,
             Pair pair,
             double tolerance) {
+        if (edges == 0) {
+            return;
+        }
+        support(pair, -nx, -ny, -nz);
+        double px = sx;
+        double py = sy;
+        double pz = sz;
         for (int e = 0; e < 3; e++) {
-            if ((edges >> e & 1) != 0 && isCalm(e, corner, nx, ny, nz, front, pair, tolerance)) {
-                add(key(set, t, e));
+            if ((edges >> e & 1) == 0) {
+                continue;
             }
+            int a = 3 * e;
+            int b = e == 2 ? 0 : a + 3;
+            double ex = front * (c[b] - c[a]);
+            double ey = front * (c[b + 1] - c[a + 1]);
+            double ez = front * (c[b + 2] - c[a + 2]);
+            // t = e x n / |e|: over the edge, for corners that go round n counter-clockwise
+            double ox = ey * nz - ez * ny;
+            double oy = ez * nx - ex * nz;
+            double oz = ex * ny - ey * nx;
+            double f = 1 / Math.sqrt(ox * ox + oy * oy + oz * oz);
+            ox *= f;
+            oy *= f;
+            oz *= f;
+            sx = px;
+            sy = py;
+            sz = pz;
+            double normals = slope(c, a, nx, ny, nz, ox, oy, oz, tolerance);
+            double flats = 0;
+            if (normals > 0) {
+                // -(n - LEAN t)
+                support(pair, LEAN * ox - nx, LEAN * oy - ny, LEAN * oz - nz);
+                flats = slope(c, a, nx, ny, nz, ox, oy, oz, tolerance);
+            }
+            add(key(set, t, e), nx, ny, nz, normals, flats);
         }
     }
 
@@ -85,32 +127,31 @@ final class CalmRidges {
     int others(TriangleSet set, int t, int edges) {
         int left = edges;
         for (int e = 0; e < 3; e++) {
-            if ((edges >> e & 1) != 0 && has(key(set, t, e))) {
-                left &= ~(1 << e);
+            if ((edges >> e & 1) != 0) {
+                int at = NUMBERS * slot(key(set, t, e));
+                left &= number[at + FLATS] > number[at + TANGENT] ? ~(1 << e) : -1;
             }
         }
         return left;
     }
 
-    private static boolean isCalm(
-            int e, double[] c, double nx, double ny, double nz, double front, Pair p, double tol) {
-        int a = 3 * e;
-        int b = e == 2 ? 0 : a + 3;
-        double ex = front * (c[b] - c[a]);
-        double ey = front * (c[b + 1] - c[a + 1]);
-        double ez = front * (c[b + 2] - c[a + 2]);
-        // t = e x n / |e|: over the edge, for corners that go round n counter-clockwise
-        double ox = ey * nz - ez * ny;
-        double oy = ez * nx - ex * nz;
-        double oz = ex * ny - ey * nx;
-        double f = 1 / Math.sqrt(ox * ox + oy * oy + oz * oz);
-        ox *= f;
-        oy *= f;
-        oz *= f;
-        // -(n - LEAN t)
-        double ux = LEAN * ox - nx;
-        double uy = LEAN * oy - ny;
-        double uz = LEAN * oz - nz;
+    /** Whether of all normals between those at its ridges that of a triangle separates most. */
+    boolean isBest(TriangleSet set, int t, int edges, double nx, double ny, double nz) {
+        for (int e = 0; e < 3; e++) {
+            if ((edges >> e & 1) != 0) {
+                int at = NUMBERS * slot(key(set, t, e));
+                double[] n = number;
+                boolean isFirst = nx == n[at] && ny == n[at + 1] && nz == n[at + 2];
+                if (!(n[at + (isFirst ? FIRST : OTHER)] > n[at + TANGENT])) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** Puts the point of the shape that is farthest in a direction into s. */
+    private void support(Pair p, double ux, double uy, double uz) {
         p.solidA.restart();
         int v =
                 p.supportA(
@@ -118,14 +159,40 @@ final class CalmRidges {
                         p.w01 * ux + p.w11 * uy + p.w21 * uz,
                         p.w02 * ux + p.w12 * uy + p.w22 * uz,
                         0);
-        double sx = p.vertexAX(v);
-        double sy = p.vertexAY(v);
-        double sz = p.vertexAZ(v);
-        double x = p.w00 * sx + p.w01 * sy + p.w02 * sz - c[a];
-        double y = p.w10 * sx + p.w11 * sy + p.w12 * sz - c[a + 1];
-        double z = p.w20 * sx + p.w21 * sy + p.w22 * sz - c[a + 2];
+        double x = p.vertexAX(v);
+        double y = p.vertexAY(v);
+        double z = p.vertexAZ(v);
+        sx = p.w00 * x + p.w01 * y + p.w02 * z;
+        sy = p.w10 * x + p.w11 * y + p.w12 * z;
+        sz = p.w20 * x + p.w21 * y + p.w22 * z;
+    }
+
+    /**
+     * Up to the tangent of which angle the separation falls from a face on, over the edge at a
+     * corner: for a place s of the shape, x before the edge and d below the face,
+     *
+     * <pre>
+     *   s(a) &lt;= -d cos a - x sin a,    which falls while tan a &lt; x / d
+     * </pre>
+     *
+     * @return 0 if it does not fall
+     */
+    private double slope(
+            double[] c,
+            int a,
+            double nx,
+            double ny,
+            double nz,
+            double ox,
+            double oy,
+            double oz,
+            double tolerance) {
+        double x = sx - c[a];
+        double y = sy - c[a + 1];
+        double z = sz - c[a + 2];
+        double before = -(ox * x + oy * y + oz * z) - tolerance;
         double depth = -(nx * x + ny * y + nz * z);
-        return ox * x + oy * y + oz * z < -tol - PER_DEPTH * Math.max(0, depth);
+        return !(before > 0) ? 0 : depth > 0 ? before / depth : Double.MAX_VALUE;
     }
 
     /** A ridge by the numbers of its ends; not 0, for these differ. */
@@ -144,24 +211,47 @@ final class CalmRidges {
         return at;
     }
 
-    private boolean has(long key) {
-        return count > 0 && keys[slot(key)] == key;
+    /** A ridge seen from one face; seen from the other one, too, its angle is known. */
+    private void add(long key, double nx, double ny, double nz, double normals, double flats) {
+        if (2 * count >= keys.length) {
+            grow();
+        }
+        int slot = slot(key);
+        int at = NUMBERS * slot;
+        double[] n = number;
+        if (keys[slot] != key) {
+            keys[slot] = key;
+            count++;
+            n[at] = nx;
+            n[at + 1] = ny;
+            n[at + 2] = nz;
+            n[at + TANGENT] = STEEP;
+            n[at + FIRST] = normals;
+            n[at + OTHER] = 0;
+            n[at + FLATS] = flats;
+            return;
+        }
+        double cosine = n[at] * nx + n[at + 1] * ny + n[at + 2] * nz;
+        double x = n[at + 1] * nz - n[at + 2] * ny;
+        double y = n[at + 2] * nx - n[at] * nz;
+        double z = n[at] * ny - n[at + 1] * nx;
+        double sine = Math.sqrt(x * x + y * y + z * z);
+        n[at + TANGENT] = sine < STEEP * cosine ? sine / cosine : STEEP;
+        n[at + OTHER] = normals;
+        n[at + FLATS] = Math.max(n[at + FLATS], flats);
     }
 
-    private void add(long key) {
-        if (2 * count >= keys.length) {
-            long[] old = keys;
-            keys = new long[2 * old.length];
-            for (long k : old) {
-                if (k != 0) {
-                    keys[slot(k)] = k;
-                }
+    private void grow() {
+        long[] old = keys;
+        double[] numbers = number;
+        keys = new long[2 * old.length];
+        number = new double[NUMBERS * keys.length];
+        for (int i = 0; i < old.length; i++) {
+            if (old[i] != 0) {
+                int at = slot(old[i]);
+                keys[at] = old[i];
+                System.arraycopy(numbers, NUMBERS * i, number, NUMBERS * at, NUMBERS);
             }
-        }
-        int at = slot(key);
-        if (keys[at] != key) {
-            keys[at] = key;
-            count++;
         }
     }
 }

@@ -25,8 +25,15 @@ final class FaceRegions {
     private int[] triangle = new int[64], material = new int[64];
     private int[] edges = new int[64], hollow = new int[64];
     private int[] group = new int[64];
+
+    /** The next triangle of the same group, or -1; and the first and last one of each group. */
+    private int[] next = new int[64], first = new int[64], latest = new int[64];
+
     private double[] number = new double[64 * NUMBERS];
     private double[] area = new double[64];
+
+    /** 1 if the corners go round the normal counter-clockwise, else -1. */
+    private double[] side = new double[64];
 
     /** Of each group: the triangle with the largest area, whose plane it has. */
     private int[] leader = new int[64];
@@ -45,6 +52,7 @@ final class FaceRegions {
      * @param ofEdges their bits, see {@link dev.cairn.physics.shape.mesh.TriangleSet}
      * @param hollowEdges bit e for an edge beyond which the surface rises
      * @param twiceArea m²
+     * @param front 1 if the corners go round the normal counter-clockwise, else -1
      * @param tolerance of the distance from a plane, m
      * @return the group
      */
@@ -58,16 +66,19 @@ final class FaceRegions {
             double ny,
             double nz,
             double twiceArea,
+            double front,
             double tolerance) {
         if (count == triangle.length) {
             grow();
         }
         int at = count++;
+        next[at] = -1;
         triangle[at] = number;
         material[at] = ofMaterial;
         edges[at] = ofEdges;
         hollow[at] = hollowEdges;
         area[at] = twiceArea;
+        side[at] = front;
         double[] n = this.number;
         n[NUMBERS * at] = nx;
         n[NUMBERS * at + 1] = ny;
@@ -79,6 +90,8 @@ final class FaceRegions {
                     && nx * n[l] + ny * n[l + 1] + nz * n[l + 2] >= ONE_PLANE
                     && Math.abs(above(leader[g], corner[0], corner[1], corner[2])) <= tolerance) {
                 group[at] = g;
+                next[latest[g]] = at;
+                latest[g] = at;
                 if (twiceArea > area[leader[g]]) {
                     leader[g] = at;
                 }
@@ -86,6 +99,8 @@ final class FaceRegions {
             }
         }
         leader[groups] = at;
+        first[groups] = at;
+        latest[groups] = at;
         group[at] = groups;
         return groups++;
     }
@@ -100,6 +115,10 @@ final class FaceRegions {
         number = Arrays.copyOf(number, NUMBERS * n);
         area = Arrays.copyOf(area, n);
         leader = Arrays.copyOf(leader, n);
+        next = Arrays.copyOf(next, n);
+        first = Arrays.copyOf(first, n);
+        latest = Arrays.copyOf(latest, n);
+        side = Arrays.copyOf(side, n);
     }
 
     /** The triangle that was added i-th, and its corners. */
@@ -115,7 +134,7 @@ final class FaceRegions {
 
     /** 1 if the corners of that triangle go round its normal counter-clockwise, else -1. */
     double orientation(int i) {
-        return TriangleSides.orientation(number, NUMBERS * i);
+        return side[i];
     }
 
     /** The bits of its edges. */
@@ -157,8 +176,8 @@ final class FaceRegions {
 
     /** The first triangle of a group that a place is over, or -1; see {@link #isOver}. */
     int under(int g, double x, double y, double z, double slack, double slackHollow) {
-        for (int t = 0; t < count; t++) {
-            if (group[t] == g && isOverOne(t, x, y, z, slack, slackHollow)) {
+        for (int t = first[g]; t >= 0; t = next[t]) {
+            if (isOverOne(t, x, y, z, slack, slackHollow)) {
                 return triangle[t];
             }
         }
@@ -210,7 +229,7 @@ final class FaceRegions {
         double ny = number[n + 1];
         double nz = number[n + 2];
         // seen from a shape in front the corners go round counter-clockwise, from the back not
-        double sign = TriangleSides.orientation(number, n);
+        double sign = side[t];
         for (int e = 0; e < 3; e++) {
             int a = n + 3 + 3 * e;
             int b = n + 3 + (e == 2 ? 0 : 3 * e + 3);
@@ -223,7 +242,8 @@ final class FaceRegions {
             double over =
                     sx * (x - number[a]) + sy * (y - number[a + 1]) + sz * (z - number[a + 2]);
             double room = (hollow[t] >> e & 1) != 0 ? slackHollow : slack;
-            if (over > room * Math.sqrt(sx * sx + sy * sy + sz * sz)) {
+            // the root only for who is beyond the side
+            if (over > 0 && over > room * Math.sqrt(sx * sx + sy * sy + sz * sz)) {
                 return false;
             }
         }

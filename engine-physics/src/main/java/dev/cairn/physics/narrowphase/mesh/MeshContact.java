@@ -178,7 +178,7 @@ public final class MeshContact {
         double height = -(nx * corner[0] + ny * corner[1] + nz * corner[2]);
         double front = 1;
         if (isInside) {
-            faces.add(t, 0, 0, 0, corner, nx, ny, nz, twiceArea, tolerance);
+            faces.add(t, 0, 0, 0, corner, nx, ny, nz, twiceArea, 1, tolerance);
             return;
         }
         if (height < 0) {
@@ -208,6 +208,7 @@ public final class MeshContact {
                 ny,
                 nz,
                 twiceArea,
+                front,
                 tolerance);
         rim.look(t, edges, corner, nx, ny, nz, front);
     }

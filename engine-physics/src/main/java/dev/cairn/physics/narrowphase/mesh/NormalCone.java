@@ -17,7 +17,7 @@ final class NormalCone {
     private final double[] box = new double[6];
     private final double[] corner = new double[9];
 
-    /** Unit normal of the last triangle that was set. */
+    /** A normal of the last triangle that was set. */
     private double nx, ny, nz;
 
     /**
@@ -83,10 +83,16 @@ final class NormalCone {
     /** Whether a point is within the tolerance of the plane and of the sides of the triangle. */
     private boolean touches(double x, double y, double z, double tolerance) {
         normal();
-        if (!(Math.abs(nx * (x - corner[0]) + ny * (y - corner[1]) + nz * (z - corner[2]))
-                <= tolerance)) {
+        double height = nx * (x - corner[0]) + ny * (y - corner[1]) + nz * (z - corner[2]);
+        double square = nx * nx + ny * ny + nz * nz;
+        // squares first: most triangles are not near, and need no root
+        if (!(height * height <= tolerance * tolerance * square)) {
             return false;
         }
+        double length = Math.sqrt(square);
+        nx /= length;
+        ny /= length;
+        nz /= length;
         for (int a = 0; a < 9; a += 3) {
             int b = a == 6 ? 0 : a + 3;
             double ex = corner[b] - corner[a];
@@ -114,9 +120,5 @@ final class NormalCone {
         nx = uy * vz - uz * vy;
         ny = uz * vx - ux * vz;
         nz = ux * vy - uy * vx;
-        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        nx /= length;
-        ny /= length;
-        nz /= length;
     }
 }

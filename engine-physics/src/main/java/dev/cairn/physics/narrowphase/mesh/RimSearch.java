@@ -1,6 +1,7 @@
 package dev.cairn.physics.narrowphase.mesh;
 
 import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.clip.Clipper;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
@@ -25,6 +26,7 @@ final class RimSearch {
     private final NormalCone cone = new NormalCone();
     private final CalmRidges calm = new CalmRidges();
     private final TriangleGap gap = new TriangleGap();
+    private final RimPoints rims = new RimPoints();
     private final Manifold manifold = new Manifold();
     private final double[] corner = new double[9];
     private TriangleSet set = MeshBuilder.nothing();
@@ -125,12 +127,21 @@ final class RimSearch {
         front = faces.orientation(i);
         flags = faces.edges(i);
         int open = flags / TriangleSet.OPEN & TriangleSet.ALL;
-        if ((open | calm.others(set, t, ridges())) == 0
+        int ridges = ridges();
+        if ((open | calm.others(set, t, ridges)) == 0
                 || gap.isApart(corner, nx, ny, nz, pair, margin)) {
             return;
         }
-        flags = set.flags(t);
-        standsOut(t, faces.groupOf(i));
+        boolean oneNormal = open == 0 && calm.isBest(set, t, ridges, nx, ny, nz);
+        double gx = (corner[0] + corner[3] + corner[6]) / 3;
+        double gy = (corner[1] + corner[4] + corner[7]) / 3;
+        double gz = (corner[2] + corner[5] + corner[8]) / 3;
+        flat.setTriangle(corner, gx, gy, gz);
+        if (oneNormal) {
+            lies(t, faces.groupOf(i), gx, gy, gz);
+        } else {
+            standsOut(t, faces.groupOf(i), gx, gy, gz);
+        }
     }
 
     /** Of the triangle at hand, on its side. */
@@ -138,12 +149,30 @@ final class RimSearch {
         return flags / (front > 0 ? TriangleSet.CONVEX : TriangleSet.HOLLOW) & TriangleSet.ALL;
     }
 
+    /** Points of the triangle's edges and corners on which a flat of the shape lies. */
+    private void lies(int t, int group, double gx, double gy, double gz) {
+        Clipper c = rims.cut(view, front, shape, qx, qy, qz, qw, gx, gy, gz, nx, ny, nz, margin);
+        for (int i = 0; i < c.count; i++) {
+            int name = TriangleFeatures.shared(set, t, c.feature[i]);
+            int kind = name & FeatureIds.CLOSEST;
+            if (kind == FeatureIds.VERTEX_B || kind == FeatureIds.CLOSEST) {
+                continue;
+            }
+            double s = c.separation[i];
+            double x = c.x[i] + gx;
+            double y = c.y[i] + gy;
+            double z = c.z[i] + gz;
+            double px = x - s * nx;
+            double py = y - s * ny;
+            double pz = z - s * nz;
+            if (isOut(t, px, py, pz) && allows(px, py, pz, nx, ny, nz)) {
+                loose.add(group, t, name, x, y, z, s);
+            }
+        }
+    }
+
     /** Points of the triangle's edges and corners where the surface lets their normal be. */
-    private void standsOut(int t, int group) {
-        double gx = (corner[0] + corner[3] + corner[6]) / 3;
-        double gy = (corner[1] + corner[4] + corner[7]) / 3;
-        double gz = (corner[2] + corner[5] + corner[8]) / 3;
-        flat.setTriangle(corner, gx, gy, gz);
+    private void standsOut(int t, int group, double gx, double gy, double gz) {
         narrowPhase.collide(
                 view, shape, 0, 0, 0, 1, qx, qy, qz, qw, -gx, -gy, -gz, margin, 0, manifold);
         Manifold m = manifold;
@@ -167,7 +196,7 @@ final class RimSearch {
         double px = x - half * m.normalX;
         double py = y - half * m.normalY;
         double pz = z - half * m.normalZ;
-        if (!isOut(px, py, pz)) {
+        if (!isOut(t, px, py, pz)) {
             return false;
         }
         x += half * m.normalX;
@@ -205,7 +234,7 @@ final class RimSearch {
         double py = y - half * m.normalY;
         double pz = z - half * m.normalZ;
         if (d <= margin
-                && isOut(px, py, pz)
+                && isOut(t, px, py, pz)
                 && m.normalX * nx + m.normalY * ny + m.normalZ * nz > 0
                 && allows(px, py, pz, m.normalX, m.normalY, m.normalZ)) {
             int own = loose.group(m.normalX, m.normalY, m.normalZ);
@@ -225,17 +254,19 @@ final class RimSearch {
     }
 
     /** Whether a place of the triangle is on an edge or at a corner that stands out. */
-    private boolean isOut(double px, double py, double pz) {
-        return TriangleSides.standsOut(
-                corner,
-                flags,
-                front > 0,
-                front * nx,
-                front * ny,
-                front * nz,
-                px,
-                py,
-                pz,
-                tolerance);
+    private boolean isOut(int t, double px, double py, double pz) {
+        int on =
+                TriangleSides.on(corner, front * nx, front * ny, front * nz, px, py, pz, tolerance);
+        int edges = ridges() | flags / TriangleSet.OPEN & TriangleSet.ALL;
+        if ((on & edges) != 0) {
+            return true;
+        }
+        // corner c is between edge c and the one before
+        int at = on & (on << 1 | on >> 2);
+        if (at == 0) {
+            return false;
+        }
+        int side = front > 0 ? TriangleSet.CORNER : TriangleSet.CORNER_BACK;
+        return (at & set.flags(t) / side & TriangleSet.ALL) != 0;
     }
 }

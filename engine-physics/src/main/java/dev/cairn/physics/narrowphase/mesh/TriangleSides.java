@@ -1,25 +1,8 @@
 package dev.cairn.physics.narrowphase.mesh;
 
-import dev.cairn.physics.shape.mesh.TriangleSet;
-
 /** Arithmetic of single triangles, given as normal and corners or as corners alone. Stateless. */
 final class TriangleSides {
     private TriangleSides() {}
-
-    /** 1 if the corners behind a normal go round it counter-clockwise, else -1. */
-    static double orientation(double[] n, int at) {
-        double ux = n[at + 6] - n[at + 3];
-        double uy = n[at + 7] - n[at + 4];
-        double uz = n[at + 8] - n[at + 5];
-        double vx = n[at + 9] - n[at + 3];
-        double vy = n[at + 10] - n[at + 4];
-        double vz = n[at + 11] - n[at + 5];
-        double dot =
-                n[at] * (uy * vz - uz * vy)
-                        + n[at + 1] * (uz * vx - ux * vz)
-                        + n[at + 2] * (ux * vy - uy * vx);
-        return dot < 0 ? -1 : 1;
-    }
 
     /**
      * How far a place is inside the side from a corner to the next one, m: negative beyond it.
@@ -42,18 +25,15 @@ final class TriangleSides {
     }
 
     /**
-     * Whether a place of a triangle is on an edge or at a corner that stands out of the surface.
+     * On which edges of a triangle a place of it is.
      *
      * @param c three corners
-     * @param flags of the triangle, see {@link TriangleSet}
-     * @param isFront whether it is seen from the front
-     * @param nx unit normal of the front
+     * @param nx unit normal from which the corners go round counter-clockwise
      * @param tolerance how far from an edge a place is on it, m
+     * @return bit e for the edge from corner e to the next
      */
-    static boolean standsOut(
+    static int on(
             double[] c,
-            int flags,
-            boolean isFront,
             double nx,
             double ny,
             double nz,
@@ -61,18 +41,10 @@ final class TriangleSides {
             double y,
             double z,
             double tolerance) {
-        int edges =
-                (flags / (isFront ? TriangleSet.CONVEX : TriangleSet.HOLLOW)
-                                | flags / TriangleSet.OPEN)
-                        & TriangleSet.ALL;
-        int corners =
-                flags / (isFront ? TriangleSet.CORNER : TriangleSet.CORNER_BACK) & TriangleSet.ALL;
         int on = 0;
         for (int e = 0; e < 3; e++) {
             on |= inside(c, e, nx, ny, nz, x, y, z) <= tolerance ? 1 << e : 0;
         }
-        // corner c is between edge c and the one before
-        int at = on & (on << 1 | on >> 2);
-        return (on & edges) != 0 || (at & corners) != 0;
+        return on;
     }
 }
