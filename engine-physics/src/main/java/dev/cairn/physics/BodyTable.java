@@ -202,7 +202,8 @@ final class BodyTable implements Stateful {
     /** A speed that a step can go on from, of a body that nothing slows down. */
     static void checkSpeed(String what, double x, double y, double z, double radius) {
         double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
-        if (!(largest <= MOST_SPEED && largest * radius <= MOST_SPEED)) {
+        // what does not turn may be without end
+        if (!(largest <= MOST_SPEED && (largest == 0 || largest * radius <= MOST_SPEED))) {
             throw new IllegalArgumentException(
                     what
                             + " of a kinematic body is ("

@@ -456,14 +456,14 @@ public final class BoundsStage {
                 bend);
     }
 
-    /** With what the centre may leave the line of its velocity by within the reach, m. */
+    /** With the bend, m, of the centre's way within the reach. What has no end does not turn. */
     private byte look(int c, double vx, double vy, double vz, double spin, double bend) {
         Poses p = colliders.poses;
         double reach = step * speculativeTime;
         // of a surface of triangles it is infinite: nothing is known to be inside
         double inner = colliders.innerRadius[c] < MOST ? colliders.innerRadius[c] : 0;
         double outer = colliders.outerRadius[c];
-        double arc = Math.min(spin * outer * reach, outer - inner) + bend;
+        double arc = (spin > 0 ? Math.min(spin * outer * reach, outer - inner) : 0) + bend;
         setAhead(c, vx, vy, vz, arc);
         tightBox(c);
         double pad = arc + speculativeFraction * inner;
