@@ -257,7 +257,7 @@ final class RimSearch {
     private boolean isOut(int t, double px, double py, double pz) {
         int on =
                 TriangleSides.on(corner, front * nx, front * ny, front * nz, px, py, pz, tolerance);
-        int edges = ridges() | flags / TriangleSet.OPEN & TriangleSet.ALL;
+        int edges = ridges() | ((flags / TriangleSet.OPEN) & TriangleSet.ALL);
         if ((on & edges) != 0) {
             return true;
         }
