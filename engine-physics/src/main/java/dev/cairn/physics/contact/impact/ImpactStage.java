@@ -47,6 +47,9 @@ public final class ImpactStage {
     private final Spin spin = new Spin();
     private final Outcome outcome;
 
+    /** By body: orientation and angular velocity at the last impact. */
+    private double[] last = {};
+
     /** Meetings of one time: two colliders and their row. */
     private int[] taken = new int[192];
 
@@ -84,11 +87,14 @@ public final class ImpactStage {
         step = stepSeconds;
         reach = reachSeconds;
         pair.use(freedom);
-        int room = spin.ensureSlots(colliders.bodies.slotCount);
+        int slots = colliders.bodies.slotCount;
+        if (last.length < 7 * slots) {
+            last = new double[7 * (slots + (slots >> 1))];
+        }
         followed.begin();
         bodies.begin(freedom);
         outcome.clear();
-        outcome.reserve(room, contacts.bodyA.length);
+        outcome.reserve(last.length / 7, contacts.bodyA.length);
         queue.clear();
         queue.reserve(contacts.bodyA.length);
         if (mixed.count == 0) {
@@ -183,10 +189,14 @@ public final class ImpactStage {
         BodyStore s = colliders.bodies;
         Flight f = pair.way(body, step, step);
         int at = outcome.put(body, f);
-        spin.end(s, body, step * (1 - bodies.late[body]), outcome.stops, at + 3);
+        spin.momentum(s, body, last, 7 * body);
+        spin.velocity(s, body, f.qx, f.qy, f.qz, f.qw);
         outcome.stops[at + 10] = s.velocityX[body] + step * f.ax;
         outcome.stops[at + 11] = s.velocityY[body] + step * f.ay;
         outcome.stops[at + 12] = s.velocityZ[body] + step * f.az;
+        outcome.stops[at + 13] = spin.x;
+        outcome.stops[at + 14] = spin.y;
+        outcome.stops[at + 15] = spin.z;
     }
 
     /** Whether the meeting that was taken out is still to come. */
@@ -423,11 +433,6 @@ public final class ImpactStage {
                 f.vx + time * f.ax,
                 f.vy + time * f.ay,
                 f.vz + time * f.az);
-        if (bodies.impacts[body] == 0) {
-            spin.begin(colliders.bodies, body);
-        }
-        spin.arrives(colliders.bodies, body, f, pair.isSteady(body));
-        System.arraycopy(spin.velocity, 0, impact.before, 6 * side + 3, 3);
     }
 
     /** Gives a body the velocities after the impact; dv at t is dv now from a start at -t dv. */
@@ -462,7 +467,12 @@ public final class ImpactStage {
         s.angularVelocityX[body] = w[at + 3];
         s.angularVelocityY[body] = w[at + 4];
         s.angularVelocityZ[body] = w[at + 5];
-        spin.leaves(body, f, w, at + 3);
+        int q = 7 * body;
+        last[q] = f.qx;
+        last[q + 1] = f.qy;
+        last[q + 2] = f.qz;
+        last[q + 3] = f.qw;
+        System.arraycopy(w, at + 3, last, q + 4, 3);
         f.turnBack(w[at + 3], w[at + 4], w[at + 5], time, turned);
         s.orientationX[body] = turned[0];
         s.orientationY[body] = turned[1];
