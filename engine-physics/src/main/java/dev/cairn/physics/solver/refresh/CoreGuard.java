@@ -81,8 +81,7 @@ public final class CoreGuard {
             double ny = sign * rows.get(k + rows.lanes);
             double nz = sign * rows.get(k + 2 * rows.lanes);
             double speed = nx * v[o] + ny * v[o + 1] + nz * v[o + 2];
-            // who is no faster does not use up the gap in all of the tick
-            if (-speed * sub.seconds * sub.count > Math.max(gap[j], 0)) {
+            if (speed < 0) {
                 int p = o + SolverBodies.P;
                 double moved = nx * v[p] + ny * v[p + 1] + nz * v[p + 2];
                 double change = -Math.max(gap[j] + moved, 0) * sub.inverse - speed;
