@@ -3,7 +3,6 @@ package dev.cairn.samples.window;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.samples.Main;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneRegistry;
 
@@ -13,24 +12,9 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 
 /** What somebody sees who starts the samples and says nothing: a heap that falls, not one box. */
-class SpectacleTest extends WindowFixture {
+class SpectacleTest extends MainFixture {
     /** Colour levels by which a pixel differs that shows something else. */
     private static final int OTHER = 24;
-
-    @Override
-    public Class<?> program() {
-        return Main.class;
-    }
-
-    @Override
-    public boolean tellsFrames() {
-        return false;
-    }
-
-    @Override
-    public boolean ready(Seen seen) {
-        return true;
-    }
 
     @Test
     void theWindowOpensOnTheJunkYardInMotion() throws IOException, InterruptedException {

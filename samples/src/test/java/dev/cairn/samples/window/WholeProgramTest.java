@@ -3,30 +3,13 @@ package dev.cairn.samples.window;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.samples.Main;
-
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
 import java.util.List;
 
 /** The samples as they are started from a command line, seen by their title alone. */
-class WholeProgramTest extends WindowFixture {
-    @Override
-    public Class<?> program() {
-        return Main.class;
-    }
-
-    @Override
-    public boolean tellsFrames() {
-        return false;
-    }
-
-    @Override
-    public boolean ready(Seen seen) {
-        return true;
-    }
-
+class WholeProgramTest extends MainFixture {
     @Override
     public List<String> arguments() {
         return List.of("--scene", "room", "--window");
