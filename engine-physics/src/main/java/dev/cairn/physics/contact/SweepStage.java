@@ -347,9 +347,15 @@ public final class SweepStage {
                 }
                 continue;
             }
+            boolean isVeryFast = isVeryFast(stage, row);
+            if (!isVeryFast && pair.meetSometime(row, step)) {
+                meets[c.bodyA[row]] = true;
+                meets[c.bodyB[row]] = true;
+                continue;
+            }
             boolean meet = pair.meet(row, step);
             if (meet || pair.isUndecided()) {
-                when[i] = isVeryFast(stage, row) ? pair.time() : when[i];
+                when[i] = isVeryFast ? pair.time() : when[i];
                 state[i] = meet ? CLOSING : LOST;
                 meets[c.bodyA[row]] = true;
                 meets[c.bodyB[row]] = true;

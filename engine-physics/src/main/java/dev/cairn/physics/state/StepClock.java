@@ -4,6 +4,8 @@ import dev.cairn.core.profile.SystemProfile;
 import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.profile.StepStage;
 
+import jdk.jfr.FlightRecorder;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
@@ -15,7 +17,13 @@ public final class StepClock implements StepProfile {
 
     private final long[] lastNanos = new long[STAGES.length];
     private final long[] totalNanos = new long[STAGES.length];
-    private final @Nullable StepEvent event = event();
+
+    /** Made once somebody records: its class starts the flight recorder, which takes long. */
+    private @Nullable StepEvent event;
+
+    /** Until it is known that the run-time image is without it. */
+    private boolean hasRecorder = true;
+
     private boolean enabled;
     private boolean timing;
     private long steps;
@@ -23,15 +31,6 @@ public final class StepClock implements StepProfile {
 
     /** Set once, before the first step. */
     private @Nullable SystemProfile systems;
-
-    /** An event, or null in a run-time image without the flight recorder: then the class fails. */
-    private static @Nullable StepEvent event() {
-        try {
-            return StepEvent.create();
-        } catch (NoClassDefFoundError absent) {
-            return null;
-        }
-    }
 
     /** A clock that is off. */
     public StepClock() {}
@@ -86,9 +85,20 @@ public final class StepClock implements StepProfile {
         return stage.ordinal();
     }
 
+    private boolean isRecorded() {
+        if (event == null && hasRecorder) {
+            try {
+                event = FlightRecorder.isInitialized() ? StepEvent.create() : null;
+            } catch (NoClassDefFoundError absent) {
+                hasRecorder = false;
+            }
+        }
+        return event != null && event.isEnabled();
+    }
+
     /** A step starts. */
     public void begin() {
-        timing = enabled || (event != null && event.isEnabled());
+        timing = isRecorded() || enabled;
         if (timing) {
             if (event != null) {
                 event.begin();

@@ -116,16 +116,9 @@ public final class FirstMeeting {
             double end,
             double nearer,
             double size) {
-        a = first;
-        b = second;
-        apartX = x;
-        apartY = y;
-        apartZ = z;
+        set(first, second, x, y, z, nearer);
         until = end;
-        met = nearer;
         scale = size;
-        capped = false;
-        isUndecided = false;
         time = from;
         if (search(near * scale)) {
             a.move(time);
@@ -133,6 +126,41 @@ public final class FirstMeeting {
             return true;
         }
         return false;
+    }
+
+    /**
+     * Whether two that are apart overlap at a later time: then they meet before it, and who does
+     * not ask when needs no search.
+     *
+     * @param first the shape a
+     * @param second the shape b
+     * @param x from a's centre to b's at the start, world, m
+     * @param y see {@code x}
+     * @param z see {@code x}
+     * @param later s
+     * @param nearer nearer than that counts as met, m, at least 0
+     */
+    public boolean haveMet(
+            Flight first,
+            Flight second,
+            double x,
+            double y,
+            double z,
+            double later,
+            double nearer) {
+        set(first, second, x, y, z, nearer);
+        return look(later) <= 0;
+    }
+
+    private void set(Flight first, Flight second, double x, double y, double z, double nearer) {
+        a = first;
+        b = second;
+        apartX = x;
+        apartY = y;
+        apartZ = z;
+        met = nearer;
+        capped = false;
+        isUndecided = false;
     }
 
     private boolean search(double nearby) {

@@ -10,7 +10,6 @@ import org.jspecify.annotations.Nullable;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodHandles.Lookup;
@@ -18,7 +17,6 @@ import java.util.concurrent.atomic.AtomicBoolean;
 
 /** Chooses the sweeps for a number of lanes; the Vector API is touched only where it is there. */
 public final class Lanes {
-    private static final Logger LOG = System.getLogger("dev.cairn.physics");
     private static final AtomicBoolean TOLD = new AtomicBoolean();
 
     /** Doubles of the largest vector. */
@@ -45,8 +43,7 @@ public final class Lanes {
         }
         if (!Vectors.areThere()) {
             if (TOLD.compareAndSet(false, true)) {
-                LOG.log(
-                        Level.WARNING,
+                warn(
                         "The contact solver runs without vectors, at half its speed, because the"
                                 + " JVM was started without the module "
                                 + Vectors.MODULE
@@ -97,6 +94,11 @@ public final class Lanes {
             MADE[known] = made;
         }
         return made;
+    }
+
+    /** A logger is looked up where something is to be told: that takes as long as a tick. */
+    static void warn(String message) {
+        System.getLogger("dev.cairn.physics").log(Level.WARNING, message);
     }
 
     private static Sweeps inDouble(int lanes) throws IOException, ReflectiveOperationException {

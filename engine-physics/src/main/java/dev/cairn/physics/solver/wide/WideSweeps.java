@@ -11,8 +11,6 @@ import dev.cairn.physics.solver.row.Scratch;
 import dev.cairn.physics.solver.row.SubStep;
 import dev.cairn.physics.tuning.Tuning;
 
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 
@@ -22,8 +20,6 @@ import java.util.SplittableRandom;
  * once when it was asked for.
  */
 public final class WideSweeps implements Sweeps {
-    private static final Logger LOG = System.getLogger("dev.cairn.physics");
-
     private final Sweeps wide;
     private final Sweeps scalar;
     private final boolean isSingle;
@@ -163,8 +159,7 @@ public final class WideSweeps implements Sweeps {
 
         @Override
         protected void giveUp() {
-            LOG.log(
-                    Level.WARNING,
+            Lanes.warn(
                     "The contact solver gains nothing from sweeps of "
                             + lanes()
                             + " lanes and stays scalar, unless lanes were asked for: they took "
