@@ -81,7 +81,9 @@ public final class ContactSolver {
     private final IslandEnergy energy = new IslandEnergy();
     private final SoftPace softPace = new SoftPace();
     private int substepsBefore;
-    private int contactTicks;
+
+    /** By kind: rows that its wide sweeps would have taken, summed over ticks. */
+    private final int[] wanted = new int[2];
 
     /** Of the batches that one worker has alone. */
     private int kind;
@@ -372,13 +374,13 @@ public final class ContactSolver {
         if (passes[k].rows.places > 0 && sweeps[k] instanceof WideSweeps wide && !wide.isWarm()) {
             chosen[k] = narrow[k];
             // Not places: how many there are depends on the lanes.
-            contactTicks += Math.min(WORTH_WIDE / 100, list.count);
+            wanted[k] += Math.min(WORTH_WIDE / 100, batches.rows(k));
             if (tick.settings.count(Tunable.LANES) != 0
                     && k == Batches.FLOATS
                     && settings().count(Tunable.FLOATS_FROM) > 0) {
                 wide.finish();
                 chosen[k] = wide;
-            } else if (contactTicks >= WORTH_WIDE) {
+            } else if (wanted[k] >= WORTH_WIDE) {
                 wide.begin();
             }
         }

@@ -145,7 +145,7 @@ class WideSweepsTest {
         try {
             wide.begin();
             for (Thread thread : Thread.getAllStackTraces().keySet()) {
-                if (thread.getName().equals("cairn-warm-up")) {
+                if (thread.getName().startsWith("cairn-warm-up")) {
                     thread.join();
                 }
             }

@@ -294,6 +294,11 @@ public final class Batches {
         return firstBody[end(kind)] > firstBody[lockstep[kind]];
     }
 
+    /** Rows of a kind. */
+    public int rows(int kind) {
+        return firstRow[end(kind)] - firstRow[lockstep[kind]];
+    }
+
     /**
      * Whether each island of a batch that one worker has alone is so small that one worker has it
      * alone however many there are.

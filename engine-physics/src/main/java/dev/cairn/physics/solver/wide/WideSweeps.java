@@ -120,7 +120,7 @@ public final class WideSweeps implements Sweeps {
         private long bestScalar = Long.MAX_VALUE;
 
         WarmUp() {
-            super("cairn-warm-up", 6_000, 20_000);
+            super("cairn-warm-up" + (isSingle ? "-floats" : "-doubles"), 3_000, 20_000);
         }
 
         @Override
