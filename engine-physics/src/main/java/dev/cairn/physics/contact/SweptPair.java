@@ -113,12 +113,9 @@ final class SweptPair implements MovingPair {
      */
     boolean meetSometime(int row, double stepSeconds) {
         setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
-        double x = Math.abs(b.vx - a.vx) + 0.5 * step * Math.abs(b.ax - a.ax);
-        double y = Math.abs(b.vy - a.vy) + 0.5 * step * Math.abs(b.ay - a.ay);
-        double z = Math.abs(b.vz - a.vz) + 0.5 * step * Math.abs(b.az - a.az);
-        double most = inner() / step;
-        boolean isShort = x * x + y * y + z * z <= most * most && a.rim() + b.rim() <= most;
-        return isShort && met == exact && search.haveMet(a, b, fromX, fromY, fromZ, step, met);
+        return met == exact
+                && search.haveMet(a, b, fromX, fromY, fromZ, step, met)
+                && search.fastest() * step <= inner();
     }
 
     @Override

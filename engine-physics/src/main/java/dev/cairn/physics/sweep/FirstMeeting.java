@@ -149,6 +149,7 @@ public final class FirstMeeting {
             double later,
             double nearer) {
         set(first, second, x, y, z, nearer);
+        until = later;
         return look(later) <= 0;
     }
 
