@@ -55,6 +55,7 @@ final class AccuracyTest {
                 "D1",
                 "D4:speed x 2",
                 "D5",
+                "D6",
                 "D8:slip at the end",
                 "D8:Jellett's constant",
                 "D9",

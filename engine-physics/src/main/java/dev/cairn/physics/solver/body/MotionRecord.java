@@ -18,8 +18,11 @@ public final class MotionRecord {
     /** Movement, angular velocity and orientation at the start. */
     public static final int START = 12;
 
-    /** The point that it stands on, or -1. */
+    /** The only point that it stands on, -1, or {@link #ROLLS}. */
     public static final int CORNER = 22;
+
+    /** In place of a point: it rolls on its rim. */
+    public static final int ROLLS = -2;
 
     /** 1 if an impact has put the start of its path elsewhere. */
     public static final int STRUCK = 23;

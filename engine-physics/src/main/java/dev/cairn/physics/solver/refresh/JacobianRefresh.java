@@ -388,6 +388,7 @@ public final class JacobianRefresh {
     public void rows(
             ConstraintRows rows,
             SolverBodies s,
+            BodyStore b,
             ContactStore c,
             SubStep sub,
             int index,
@@ -413,13 +414,8 @@ public final class JacobianRefresh {
             int shared = how & BETWEEN;
             double shareA = shared == BETWEEN ? 0.5 : shared == OF_B ? 1 : 0;
             double shareB = shared == BETWEEN ? 0.5 : shared == OF_A ? 1 : 0;
-            row.swing(
-                    turn,
-                    rounds,
-                    (how & SWINGS_A) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK]) : -1,
-                    roundA(j),
-                    (how & SWINGS_B) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK + 1]) : -1,
-                    roundB(j));
+            swing(row, b, j, SolverBodies.slot(rows.link[j * LINK]), how & SWINGS_A, true);
+            swing(row, b, j, SolverBodies.slot(rows.link[j * LINK + 1]), how & SWINGS_B, false);
             row.place(rows, s.state, j, kept, k, turn, ra, rb, shareA, shareB);
             if ((how & TOLD) != 0 || isLast) {
                 row.tell(c, source, (how & TOLD) != 0);
@@ -429,6 +425,35 @@ public final class JacobianRefresh {
                 rows.rolling.renew(rows, s, c, j);
             }
         }
+    }
+
+    private void swing(RefreshRow row, BodyStore b, int j, int slot, int swings, boolean isA) {
+        int at = isA ? roundA(j) : roundB(j);
+        int m = swings != 0 ? 9 * slot : -1;
+        row.swing(isA, turn, m, rounds, at, kept, KEPT * j, m < 0 ? 0 : b.innerRadius[slot]);
+    }
+
+    /**
+     * The rim on which a body stands on what does not move, see {@link Rim}.
+     *
+     * @param source row of the contact in the store
+     * @param place of its row
+     * @param i slot of the body
+     * @param side 1 if the body is the second of the contact, else -1
+     * @param rim receives it
+     * @return whether there is one
+     */
+    public boolean rim(
+            BodyStore b, ContactStore c, int source, int place, int i, int side, Rim rim) {
+        boolean second = side > 0;
+        if ((renewed[place] & (second ? SWINGS_B : SWINGS_A)) == 0
+                || !Surface.isFlat(second ? c.surfaceA[source] : c.surfaceB[source])
+                || b.motionFlags[i] != 0) {
+            return false;
+        }
+        int round = second ? roundB(place) : roundA(place);
+        return rim.find(
+                kept, KEPT * place, c.pointCount[source], rounds, round, start, 4 * i, side);
     }
 
     /** Contacts know of other loads than when their rows were found. */

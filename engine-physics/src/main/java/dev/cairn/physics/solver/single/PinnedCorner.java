@@ -15,8 +15,6 @@ import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.body.Tumbling;
-import dev.cairn.physics.solver.kernel.ScalarNormals;
-import dev.cairn.physics.solver.kernel.WarmStart;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.RollingRows;
@@ -47,9 +45,6 @@ import java.util.Arrays;
 final class PinnedCorner {
     private static final int SWEEPS = 12;
 
-    /** Cosine of half the angle, 0.1 rad, by which sweeps and closed form may differ. */
-    private static final double NEAR = 0.99875;
-
     /** Products of inertia over the moments that are none. */
     private static final double DIAGONAL = 1e-15;
 
@@ -72,15 +67,13 @@ final class PinnedCorner {
 
     private final double[] spin = new double[3];
     private final double[] force = new double[3];
-    private final double[] impulse = new double[3];
+    private final HeldPoint held = new HeldPoint();
+    private final double[] impulse = held.impulse;
 
     /** The user's and that of rolling friction; of that the impulse. */
     private final double[] torque = new double[3];
 
     private final double[] roll = new double[3];
-
-    /** Orientation as the sweeps left it. */
-    private final double[] swept = new double[4];
 
     /** Start of a sub-step, before its kick: remembers where a body is that stands on a point. */
     static void begin(
@@ -91,12 +84,7 @@ final class PinnedCorner {
         d[g + MotionRecord.STRUCK] = 0;
         d[g + MotionRecord.CORNER] = corner;
         if (corner >= 0) {
-            int o = SolverBodies.offset(i);
-            for (int k = 0; k < 3; k++) {
-                d[g + MotionRecord.START + k] = s.state[o + P + k];
-                d[g + MotionRecord.START + 3 + k] = s.world(i, o + V + 3, k);
-            }
-            read(b, i, d, g + MotionRecord.START + 6);
+            HeldPoint.remember(b, s, i);
         }
     }
 
@@ -147,19 +135,18 @@ final class PinnedCorner {
         if (Double.isNaN(gap) || !rolling.slips(rows, place, kept, side, roll)) {
             return false;
         }
-        read(b, i, swept, 0);
-        write(b, i, s.motion, g + MotionRecord.START + 6);
+        held.begin(b, i, s.motion, g + MotionRecord.START + 6);
         step(tick, i, sub.seconds, rolling.has(kept));
         int r = rows.base(place);
         double friction = rows.doubles[r + FRICTION * rows.lanes];
-        if (!isNear(b, i) || !isHeld(rows.doubles, r, rows.lanes, side, friction)) {
-            write(b, i, swept, 0);
+        if (!held.isNear(b, i) || !held.isHeld(rows.doubles, r, rows.lanes, side, friction)) {
+            held.restore(b, i);
             return false;
         }
         put(s, rows, r, i, side, gap, sub);
         s.weigh(i, spin[0], spin[1], spin[2]);
         s.state[o + LOADED] = 1;
-        tell(s, b, i, rows, place, corner, side);
+        held.tell(s, b, i, rows, place, corner, side);
         if (rolling.has(kept)) {
             rolling.addWarm(rows, s.warm, place, kept, 1);
         }
@@ -351,97 +338,5 @@ final class PinnedCorner {
                                         + z * Rotation.axis(b, i, 2, k));
             }
         }
-    }
-
-    /**
-     * Whether the pose is nearly where the sweeps had it, too: the row's levers and the root of the
-     * inertia are of there, and the next sub-step begins with them.
-     */
-    private boolean isNear(BodyStore b, int i) {
-        double cosine =
-                swept[0] * b.orientationX[i]
-                        + swept[1] * b.orientationY[i]
-                        + swept[2] * b.orientationZ[i]
-                        + swept[3] * b.orientationW[i];
-        return Math.abs(cosine) >= NEAR;
-    }
-
-    /** Whether the impulse presses, and friction can give it. */
-    private boolean isHeld(double[] d, int r, int lanes, double side, double friction) {
-        double normal = side * dot(d, r, lanes);
-        double f1 = dot(d, r + TANGENT1 * lanes, lanes);
-        double f2 = dot(d, r + TANGENT2 * lanes, lanes);
-        double limit = friction * normal;
-        return normal > 0 && f1 * f1 + f2 * f2 <= limit * limit;
-    }
-
-    private double dot(double[] d, int r, int lanes) {
-        return d[r] * impulse[0] + d[r + lanes] * impulse[1] + d[r + 2 * lanes] * impulse[2];
-    }
-
-    /** Gives the row its impulses, the warm start what they do, and the gaps what they are. */
-    private void tell(
-            SolverBodies s,
-            BodyStore b,
-            int i,
-            ConstraintRows rows,
-            int place,
-            int corner,
-            double side) {
-        double[] d = rows.doubles;
-        int lanes = rows.lanes;
-        int r = rows.base(place);
-        int q = r + (POINT + corner * POINT_FIELDS + IMPULSE) * lanes;
-        double normal = side * dot(d, r, lanes);
-        d[r + (SUM + corner) * lanes] += normal - d[q];
-        d[q] = normal;
-        for (int k = 0; k < 3; k++) {
-            int t = r + (k == 0 ? TANGENT1 : TANGENT2) * lanes;
-            double along = k < 2 ? side * dot(d, t, lanes) : 0;
-            d[r + (TOTAL + k) * lanes] += along - d[r + (LAMBDA + k) * lanes];
-            d[r + (LAMBDA + k) * lanes] = along;
-        }
-        int w = (i + 1) * SolverBodies.HALF;
-        Arrays.fill(s.warm, w, w + 6, 0.0);
-        WarmStart.addNormals(rows, s.warm, place, r, 1);
-        WarmStart.addFriction(rows, s.warm, place, r, 1);
-        lean(s, b, i);
-        int link = place * LINK;
-        int n = rows.points(place);
-        ScalarNormals.separate(d, r, lanes, s.state, rows.link[link], rows.link[link + 1], n);
-    }
-
-    /** Adds what the body has turned beyond what the sweeps made of it to its weighted turn. */
-    private void lean(SolverBodies s, BodyStore b, int i) {
-        double bx = b.orientationX[i];
-        double by = b.orientationY[i];
-        double bz = b.orientationZ[i];
-        double bw = b.orientationW[i];
-        double w = bw * swept[3] + bx * swept[0] + by * swept[1] + bz * swept[2];
-        double twice = w < 0 ? -2 : 2;
-        double x = twice * (bx * swept[3] - bw * swept[0] - (by * swept[2] - bz * swept[1]));
-        double y = twice * (by * swept[3] - bw * swept[1] - (bz * swept[0] - bx * swept[2]));
-        double z = twice * (bz * swept[3] - bw * swept[2] - (bx * swept[1] - by * swept[0]));
-        double[] root = s.root;
-        int k = (i + 1) * SolverBodies.ROOT;
-        int o = SolverBodies.offset(i) + P + 3;
-        for (int c = 0; c < 3; c++) {
-            s.state[o + c] +=
-                    root[k + 9 + c] * (root[k + c] * x + root[k + 3 + c] * y + root[k + 6 + c] * z);
-        }
-    }
-
-    private static void read(BodyStore b, int i, double[] q, int o) {
-        q[o] = b.orientationX[i];
-        q[o + 1] = b.orientationY[i];
-        q[o + 2] = b.orientationZ[i];
-        q[o + 3] = b.orientationW[i];
-    }
-
-    private static void write(BodyStore b, int i, double[] q, int o) {
-        b.orientationX[i] = q[o];
-        b.orientationY[i] = q[o + 1];
-        b.orientationZ[i] = q[o + 2];
-        b.orientationW[i] = q[o + 3];
     }
 }

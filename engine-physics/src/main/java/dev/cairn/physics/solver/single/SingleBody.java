@@ -22,6 +22,7 @@ public final class SingleBody {
     private final RowWindow window = new RowWindow();
     private final InelasticImpact impact = new InelasticImpact();
     private final PinnedCorner corner = new PinnedCorner();
+    private final RollingRim rim = new RollingRim();
 
     /**
      * Start of a sub-step, before its kick: points that land in it, and the corner that the body
@@ -41,6 +42,9 @@ public final class SingleBody {
         SolverBodies bodies = tick.body;
         int row = rows.list.place[bodies.guide[i]];
         MotionRecord.start(bodies, i);
+        if (refresh.stirs(i) && rim.begin(tick, rows, row, i, sub, refresh)) {
+            return;
+        }
         if (SingleContact.turns(bodies.state, i, gain) && InelasticImpact.isAwaited(rows, row)) {
             ConstraintRows guide = window.open(rows, row);
             int place = window.place();
@@ -73,7 +77,8 @@ public final class SingleBody {
         ConstraintRows guide = window.open(rows, row);
         int place = window.place();
         if (refresh.stirs(i)
-                && corner.run(tick, guide, rows.rolling, place, i, sub, refresh, row)) {
+                && (corner.run(tick, guide, rows.rolling, place, i, sub, refresh, row)
+                        || rim.run(tick, guide, place, i, sub, refresh, row))) {
             window.close(rows, row);
             return;
         }
