@@ -39,7 +39,9 @@ import dev.cairn.physics.solver.row.SubStep;
  * solved by the classical method of Runge and Kutta (1901), in so many parts that neither the body
  * nor the place on its rim turns by more than {@link #PART}. The plane holds the place: height
  * follows from the pose. If the impulse that this needs pulls, or is more than friction holds, or
- * if the place goes round too fast, all is left as the sweeps have it.
+ * if the place goes round too fast, all is left as the sweeps have it. So it is where the tilt
+ * changes far faster than the place goes round: that body tips over its rim, does not roll on it,
+ * and will slip or land, which is for the sweeps.
  *
  * <p>One body at a time, any worker. Does not allocate. Source: own study; the equations are those
  * of E. J. Routh, Advanced Rigid Dynamics (1905), of a disc on a plane.
@@ -52,6 +54,9 @@ final class RollingRim {
 
     /** Cosine of the largest way of the contact round the rim in a part. */
     private static final double NEAR = 0.995;
+
+    /** Largest rate of the tilt over that of the place round the rim; beyond, the body tips. */
+    private static final double TIPS = 2;
 
     /** Height of a rim across its solid, over the body's inner radius, up to which it lies flat. */
     private static final double FLAT = 1e-3;
@@ -91,8 +96,8 @@ final class RollingRim {
 
     private double mass;
 
-    /** Sine of the tilt at a stage, and how fast the place goes round, rad/s. */
-    private double tilt, round;
+    /** Sine of the tilt at a stage; how fast the place goes round and the tilt changes, rad/s. */
+    private double tilt, round, tips;
 
     /**
      * Start of a sub-step, before its kick and before impacts of the contact.
@@ -199,7 +204,7 @@ final class RollingRim {
         System.arraycopy(d, g + MotionRecord.START + 6, state, 0, 4);
         System.arraycopy(d, g + MotionRecord.START, state, X, 3);
         double h = sub.seconds;
-        if (!stop(b, i, d, g + MotionRecord.START + 3, velocity, at)) {
+        if (!stop(b, i, d, g + MotionRecord.START + 3, velocity, at) || !(TIPS * round > tips)) {
             return false;
         }
         double gap = open();
@@ -341,6 +346,7 @@ final class RollingRim {
         // u' = u x w, c' = u'.a
         cross(u, y, W, v);
         double turn = v[0] * rim.axis[0] + v[1] * rim.axis[1] + v[2] * rim.axis[2];
+        tips = Math.abs(turn) / tilt;
         double bend = -c * turn / tilt;
         double square = 0;
         for (int k = 0; k < 3; k++) {
