@@ -310,7 +310,7 @@ final class Passes {
      * @param index of the sub-step; the first one scales what the contacts know
      */
     void renewRows(SubStep sub, int index, int from, int to, Workbench bench) {
-        refresh.rows(rows, body, tick.bodies, tick.contacts, sub, index, from, to, bench.renew);
+        refresh.rows(rows, body, tick.contacts, sub, index, from, to, bench.renew);
         if (rows.drags.isUsed) {
             rows.drags.hide(rows, from, to);
         }

@@ -388,7 +388,6 @@ public final class JacobianRefresh {
     public void rows(
             ConstraintRows rows,
             SolverBodies s,
-            BodyStore b,
             ContactStore c,
             SubStep sub,
             int index,
@@ -414,8 +413,13 @@ public final class JacobianRefresh {
             int shared = how & BETWEEN;
             double shareA = shared == BETWEEN ? 0.5 : shared == OF_B ? 1 : 0;
             double shareB = shared == BETWEEN ? 0.5 : shared == OF_A ? 1 : 0;
-            swing(row, b, j, SolverBodies.slot(rows.link[j * LINK]), how & SWINGS_A, true);
-            swing(row, b, j, SolverBodies.slot(rows.link[j * LINK + 1]), how & SWINGS_B, false);
+            row.swing(
+                    turn,
+                    rounds,
+                    (how & SWINGS_A) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK]) : -1,
+                    roundA(j),
+                    (how & SWINGS_B) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK + 1]) : -1,
+                    roundB(j));
             row.place(rows, s.state, j, kept, k, turn, ra, rb, shareA, shareB);
             if ((how & TOLD) != 0 || isLast) {
                 row.tell(c, source, (how & TOLD) != 0);
@@ -425,12 +429,6 @@ public final class JacobianRefresh {
                 rows.rolling.renew(rows, s, c, j);
             }
         }
-    }
-
-    private void swing(RefreshRow row, BodyStore b, int j, int slot, int swings, boolean isA) {
-        int at = isA ? roundA(j) : roundB(j);
-        int m = swings != 0 ? 9 * slot : -1;
-        row.swing(isA, turn, m, rounds, at, kept, KEPT * j, m < 0 ? 0 : b.innerRadius[slot]);
     }
 
     /**

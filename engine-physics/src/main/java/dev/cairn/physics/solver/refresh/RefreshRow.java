@@ -83,23 +83,16 @@ public final class RefreshRow {
     /**
      * Tells which points go with the axis of a round body; before {@link #place}.
      *
-     * @param isA whether the body is A
      * @param turn turns of bodies since the tick's start, nine numbers each
-     * @param m where the turn of the body is, if its points go with its axis, else -1
-     * @param rounds what was kept of round sides, of this one from {@code x} on
-     * @param record of the row, from {@code k} on
-     * @param inner radius of the body, m
+     * @param rounds what was kept of round sides
+     * @param ra where the turn of A is, if its points go with its axis, else -1
+     * @param xa what was kept of A
+     * @param rb the turn of B
+     * @param xb what was kept of B
      */
-    void swing(
-            boolean isA,
-            double[] turn,
-            int m,
-            double[] rounds,
-            int x,
-            double[] record,
-            int k,
-            double inner) {
-        (isA ? roundA : roundB).set(turn, m, rounds, x, record, k, inner);
+    void swing(double[] turn, double[] rounds, int ra, int xa, int rb, int xb) {
+        roundA.set(turn, ra, rounds, xa);
+        roundB.set(turn, rb, rounds, xb);
     }
 
     /**

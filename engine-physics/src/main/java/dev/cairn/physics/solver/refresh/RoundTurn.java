@@ -13,19 +13,15 @@ import dev.cairn.physics.solver.body.Rotation;
  * about its axis by something that does not show. With o the centre of the collider as seen from
  * that of the body, and r the point from there,
  *
- * <pre>o + r  goes to  Q o + T S (r - t n) + t n</pre>
+ * <pre>o + r  goes to  Q o + S (r - t n) + t n</pre>
  *
  * <p>where n is the contact's normal away from the solid and t the radius of what is laid around
  * its core, of a capsule its own, of a cylinder 0, and half of the gap. A ball is all radius:
- * {@code Q o + r}. T is 1 but for the point of a rim that lies deepest: a coin that rolls on its
- * rim stands on another one at every moment, so T turns S l to l', about Q a, where l and l' are
- * the directions across the axis in which the solid reaches farthest along n, at the start and now.
- * Not where it is that flat on the other body that all of its rim touches.
+ * {@code Q o + r}.
  *
  * <p>Without this the rim's point stayed where it was: cans rose by 7 mm of 200 while they tipped,
- * and gained 2 % of their energy. Without T a disc that rolls on its rim fell flat within two
- * turns, since its deepest point stayed behind by a tick. One thread at a time; allocates when it
- * is made. Source: own study; S is Rodrigues' rotation for two unit vectors.
+ * and gained 2 % of their energy. One thread at a time; allocates when it is made. Source: own
+ * study; S is Rodrigues' rotation for two unit vectors.
  */
 final class RoundTurn {
     /** What is kept of a side: o, then the axis, world, at the tick's start; t. */
@@ -33,15 +29,6 @@ final class RoundTurn {
 
     static final int AXIS = 3;
     static final int RADIUS = 6;
-
-    /** 1 - cosine of the angle to the deepest point of a rim, up to which a point is that one. */
-    private static final double DEEPEST = 1e-6;
-
-    /** Cosine of the largest way of the deepest point round its rim in a tick. */
-    private static final double FAR = 0.5;
-
-    /** Height of a rim across its solid, over the body's inner radius, up to which it is flat. */
-    static final double FLAT = 1e-3;
 
     /** 1 if the normal points away from the solid. */
     private final double side;
@@ -51,16 +38,6 @@ final class RoundTurn {
 
     /** S, row by row. */
     private final double[] swing = new double[9];
-
-    /** T S, row by row; whether there is a T. */
-    private final double[] travel = new double[9];
-
-    private boolean travels;
-
-    /** Of the start: l, a, and the least distance from the axis of a point that travels. */
-    private final double[] low = new double[3], axis = new double[3], now = new double[3];
-
-    private double least;
 
     /** o, Q o, and t without the gap. */
     private double x, y, z, toX, toY, toZ, radius;
@@ -98,17 +75,14 @@ final class RoundTurn {
     }
 
     /**
-     * Finds S, T and Q o.
+     * Finds S and Q o.
      *
      * @param turn nine numbers of Q from {@code m} on
      * @param m or -1 for a side whose points do not go with an axis
      * @param kept of the side, from {@code k} on
-     * @param normal of the contact, from A to B, world, from {@code n} on
-     * @param inner radius of the body, m
      */
-    void set(double[] turn, int m, double[] kept, int k, double[] normal, int n, double inner) {
+    void set(double[] turn, int m, double[] kept, int k) {
         isSet = m >= 0;
-        travels = false;
         if (!isSet) {
             return;
         }
@@ -123,71 +97,15 @@ final class RoundTurn {
         double ay = kept[k + AXIS + 1];
         double az = kept[k + AXIS + 2];
         isBall = ax == 0 && ay == 0 && az == 0;
-        if (isBall) {
-            return;
+        if (!isBall) {
+            swing(
+                    ax,
+                    ay,
+                    az,
+                    turn[m] * ax + turn[m + 1] * ay + turn[m + 2] * az,
+                    turn[m + 3] * ax + turn[m + 4] * ay + turn[m + 5] * az,
+                    turn[m + 6] * ax + turn[m + 7] * ay + turn[m + 8] * az);
         }
-        for (int i = 0; i < 3; i++) {
-            axis[i] = kept[k + AXIS + i];
-            now[i] = turn[m + 3 * i] * ax + turn[m + 3 * i + 1] * ay + turn[m + 3 * i + 2] * az;
-        }
-        swing(ax, ay, az, now[0], now[1], now[2]);
-        travel(side * normal[n], side * normal[n + 1], side * normal[n + 2], inner);
-    }
-
-    /**
-     * T S: with c and s of the angle from S l to l', {@code T v = c v + (1 - c) b b.v + s b x v}.
-     */
-    private void travel(double nx, double ny, double nz, double inner) {
-        double along = nx * axis[0] + ny * axis[1] + nz * axis[2];
-        low[0] = nx - along * axis[0];
-        low[1] = ny - along * axis[1];
-        low[2] = nz - along * axis[2];
-        double bx = now[0];
-        double by = now[1];
-        double bz = now[2];
-        double on = nx * bx + ny * by + nz * bz;
-        double mx = nx - on * bx;
-        double my = ny - on * by;
-        double mz = nz - on * bz;
-        double start = low[0] * low[0] + low[1] * low[1] + low[2] * low[2];
-        double end = mx * mx + my * my + mz * mz;
-        if (!(start > 0 && end > 0)) {
-            return;
-        }
-        start = 1 / Math.sqrt(start);
-        end = 1 / Math.sqrt(end);
-        least = FLAT * inner * Math.max(start, end);
-        for (int i = 0; i < 3; i++) {
-            low[i] *= start;
-        }
-        double lx = swing[0] * low[0] + swing[1] * low[1] + swing[2] * low[2];
-        double ly = swing[3] * low[0] + swing[4] * low[1] + swing[5] * low[2];
-        double lz = swing[6] * low[0] + swing[7] * low[1] + swing[8] * low[2];
-        double c = (lx * mx + ly * my + lz * mz) * end;
-        double s =
-                ((ly * mz - lz * my) * bx + (lz * mx - lx * mz) * by + (lx * my - ly * mx) * bz)
-                        * end;
-        travels = c > FAR;
-        for (int i = 0; i < 3; i++) {
-            double vx = swing[i];
-            double vy = swing[3 + i];
-            double vz = swing[6 + i];
-            double t = (1 - c) * (bx * vx + by * vy + bz * vz);
-            travel[i] = c * vx + t * bx + s * (by * vz - bz * vy);
-            travel[3 + i] = c * vy + t * by + s * (bz * vx - bx * vz);
-            travel[6 + i] = c * vz + t * bz + s * (bx * vy - by * vx);
-        }
-    }
-
-    /** Whether a point, from the collider's centre, is the one of its rim that lies deepest. */
-    private boolean isDeepest(double rx, double ry, double rz) {
-        double along = rx * axis[0] + ry * axis[1] + rz * axis[2];
-        double ux = rx - along * axis[0];
-        double uy = ry - along * axis[1];
-        double uz = rz - along * axis[2];
-        double reach = ux * low[0] + uy * low[1] + uz * low[2];
-        double square = ux * ux + uy * uy + uz * uz;
-        return reach > least && reach * reach >= (1 - 2 * DEEPEST) * square;
     }
 
     /** S from a to b: with w = a x b and c = a.b it is 1 c + [w] + w w^T / (1 + c). */
@@ -246,9 +164,8 @@ final class RoundTurn {
         rx -= t * nx;
         ry -= t * ny;
         rz -= t * nz;
-        double[] w = travels && isDeepest(rx, ry, rz) ? travel : swing;
-        to[i] = toX + (w[0] * rx + w[1] * ry + w[2] * rz) + t * nx;
-        to[i + 1] = toY + (w[3] * rx + w[4] * ry + w[5] * rz) + t * ny;
-        to[i + 2] = toZ + (w[6] * rx + w[7] * ry + w[8] * rz) + t * nz;
+        to[i] = toX + (swing[0] * rx + swing[1] * ry + swing[2] * rz) + t * nx;
+        to[i + 1] = toY + (swing[3] * rx + swing[4] * ry + swing[5] * rz) + t * ny;
+        to[i + 2] = toZ + (swing[6] * rx + swing[7] * ry + swing[8] * rz) + t * nz;
     }
 }

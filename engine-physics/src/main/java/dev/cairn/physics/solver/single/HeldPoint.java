@@ -65,13 +65,17 @@ final class HeldPoint {
         return Math.abs(cosine) >= NEAR;
     }
 
-    /** Whether the impulse presses, and friction can give it. */
+    /**
+     * Whether the impulse presses, and friction can give it.
+     *
+     * @param d normal of the contact from {@code r} on, each {@code lanes} further
+     * @param side 1 if it points towards the body, else -1
+     */
     boolean isHeld(double[] d, int r, int lanes, double side, double friction) {
+        double[] l = impulse;
         double normal = side * dot(d, r, lanes);
-        double f1 = dot(d, r + TANGENT1 * lanes, lanes);
-        double f2 = dot(d, r + TANGENT2 * lanes, lanes);
-        double limit = friction * normal;
-        return normal > 0 && f1 * f1 + f2 * f2 <= limit * limit;
+        double square = l[0] * l[0] + l[1] * l[1] + l[2] * l[2] - normal * normal;
+        return normal > 0 && square <= friction * friction * normal * normal;
     }
 
     private double dot(double[] d, int r, int lanes) {

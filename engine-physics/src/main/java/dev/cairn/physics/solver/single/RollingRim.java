@@ -125,7 +125,7 @@ final class RollingRim {
         }
         HeldPoint.remember(tick.bodies, s, i);
         double friction = rows.get(rows.base(place) + FRICTION * rows.lanes);
-        if (!step(tick, i, sub, s.state, o + V) || !isHeld(friction)) {
+        if (!step(tick, i, sub, s.state, o + V) || !held.isHeld(rim.up, 0, 1, 1, friction)) {
             return false;
         }
         s.motion[g + MotionRecord.CORNER] = MotionRecord.ROLLS;
@@ -174,14 +174,6 @@ final class RollingRim {
         s.state[o + LOADED] = 1;
         held.tell(s, b, i, rows, place, rim.point, side);
         return true;
-    }
-
-    /** Whether the impulse presses, and friction can give it. */
-    private boolean isHeld(double friction) {
-        double[] l = held.impulse;
-        double normal = l[0] * rim.up[0] + l[1] * rim.up[1] + l[2] * rim.up[2];
-        double square = l[0] * l[0] + l[1] * l[1] + l[2] * l[2] - normal * normal;
-        return normal > 0 && square <= friction * friction * normal * normal;
     }
 
     /**
