@@ -5,16 +5,16 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
-import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.sweep.FirstMeeting;
 import dev.cairn.physics.sweep.Flight;
+import dev.cairn.physics.sweep.FreeTurn;
 
 /**
- * Two colliders along the motion of a tick: each body's centre on its parabola, turning about it at
- * its angular velocity. When they meet is found by {@link FirstMeeting}.
+ * Two colliders along the motion of a tick: each body's centre on its parabola, turning about it
+ * freely. When they meet is found by {@link FirstMeeting}.
  *
  * <p>One instance per worker.
  */
@@ -55,11 +55,8 @@ final class SweptPair implements MovingPair {
     /** Of the smaller inner radius: points that far apart are of the meeting. */
     private static final double THERE = 0.02;
 
-    /** Who tumbles, seen from far away. */
+    /** Who is turned, seen from far away. */
     private static final Sphere POINT = Sphere.of(0x1p-90);
-
-    /** Square of the sine between w and I w that is rounding. */
-    private static final double STEADY = 0x1p-80;
 
     private final ColliderStore colliders;
     private final ContactStore contacts;
@@ -71,9 +68,9 @@ final class SweptPair implements MovingPair {
             new FirstMeeting(narrowPhase, MOST_STEPS, NEAR, MOST_IN_ALL);
     private final Manifold manifold = new Manifold();
     private final Flight a = new Flight(), b = new Flight();
+    private final FreeTurn freeA = new FreeTurn(), freeB = new FreeTurn();
     private final double[] v = new double[3];
     private final double[] u = new double[3];
-
     private int slotA, slotB;
     private double step;
 
@@ -128,8 +125,8 @@ final class SweptPair implements MovingPair {
     }
 
     /**
-     * Whether two that tumble, and may have met but for what is not known of their turning, do not
-     * come near however they lie: a ball about each of those is as large as it at most.
+     * Whether two that a torque turns, and may have met but for what is not known of their turning,
+     * do not come near however they lie: a ball about each of those is as large as it at most.
      */
     private boolean isOutOfReach() {
         if (colliders.isChild(slotA) || colliders.isChild(slotB)) {
@@ -147,7 +144,7 @@ final class SweptPair implements MovingPair {
         return isFar;
     }
 
-    /** Makes a point of who tumbles; returns how far it reaches, m. */
+    /** Makes a point of who is turned; returns how far it reaches, m. */
     private double shrink(Flight f, double doubt, int slot) {
         if (doubt == 0) {
             return 0;
@@ -166,8 +163,8 @@ final class SweptPair implements MovingPair {
         slotA = first;
         slotB = second;
         step = stepSeconds;
-        doubtA = set(a, first);
-        doubtB = set(b, second);
+        doubtA = set(a, freeA, first);
+        doubtB = set(b, freeB, second);
         Poses p = colliders.poses;
         fromX = p.apartX(first, second);
         fromY = p.apartY(first, second);
@@ -421,7 +418,7 @@ final class SweptPair implements MovingPair {
      *
      * @return what its turning is uncertain by, m
      */
-    private double set(Flight f, int slot) {
+    private double set(Flight f, FreeTurn free, int slot) {
         BodyStore s = colliders.bodies;
         int body = colliders.body[slot];
         f.shape = colliders.shape[slot];
@@ -447,7 +444,10 @@ final class SweptPair implements MovingPair {
                 isChild ? s.apartY(body, slot) : 0,
                 isChild ? s.apartZ(body, slot) : 0);
         f.begin(colliders.outerRadius[slot], f.shape instanceof Sphere);
-        return isDynamic && f.rim() > 0 && !isSteady(body) ? doubt(f, slot) : 0;
+        if (isDynamic && f.rim() > 0 && free.begin(s, body, step)) {
+            f.tumbles(free, step);
+        }
+        return isDynamic ? doubt(body, slot) : 0;
     }
 
     /** Acceleration of a body that flies along an axis, m/s². */
@@ -456,46 +456,24 @@ final class SweptPair implements MovingPair {
         return s.gravityScale[body] * gravity + s.inverseMass[body] * force[body];
     }
 
-    /** A body without symmetry changes its axis as it turns. */
-    private double doubt(Flight f, int slot) {
-        double angle = step * Math.sqrt(f.wx * f.wx + f.wy * f.wy + f.wz * f.wz);
-        return Math.min(0.125 * angle * angle, MOST_DOUBT) * colliders.innerRadius[slot];
-    }
-
-    @Override
-    public Flight way(int body, double seconds, double stepSeconds) {
-        step = stepSeconds;
-        set(a, body);
-        a.move(seconds);
-        return a;
-    }
-
-    @Override
-    public boolean isSteady(int body) {
+    /** How far a torque may take a point of a body off its way, t²/2 J torque, at most; m. */
+    private double doubt(int body, int slot) {
         BodyStore s = colliders.bodies;
-        if (s.torqueX[body] != 0 || s.torqueY[body] != 0 || s.torqueZ[body] != 0) {
-            return false;
+        double x = s.torqueX[body];
+        double y = s.torqueY[body];
+        double z = s.torqueZ[body];
+        if (x == 0 && y == 0 && z == 0) {
+            return 0;
         }
-        // in body axes
-        Rotations.rotate(
-                -s.orientationX[body],
-                -s.orientationY[body],
-                -s.orientationZ[body],
-                s.orientationW[body],
-                s.angularVelocityX[body],
-                s.angularVelocityY[body],
-                s.angularVelocityZ[body],
-                v);
-        double x = v[0];
-        double y = v[1];
-        double z = v[2];
-        double lx = s.inertiaXX[body] * x + s.inertiaXY[body] * y + s.inertiaXZ[body] * z;
-        double ly = s.inertiaXY[body] * x + s.inertiaYY[body] * y + s.inertiaYZ[body] * z;
-        double lz = s.inertiaXZ[body] * x + s.inertiaYZ[body] * y + s.inertiaZZ[body] * z;
-        double cx = y * lz - z * ly;
-        double cy = z * lx - x * lz;
-        double cz = x * ly - y * lx;
-        double most = STEADY * (x * x + y * y + z * z) * (lx * lx + ly * ly + lz * lz);
-        return cx * cx + cy * cy + cz * cz <= most;
+        double least =
+                s.inverseInertiaXX[body] + s.inverseInertiaYY[body] + s.inverseInertiaZZ[body];
+        double turned = 0.5 * step * step * least * Math.sqrt(x * x + y * y + z * z);
+        double most = MOST_DOUBT * colliders.innerRadius[slot];
+        return Math.min(turned * colliders.outerRadius[slot], most);
+    }
+
+    @Override
+    public void back(int body, double seconds, double[] state) {
+        freeA.back(colliders.bodies, body, step, seconds, state);
     }
 }

@@ -27,6 +27,9 @@ import dev.cairn.physics.narrowphase.NarrowPhase;
  * d/K) where both graze, and next to a meeting for any step that ends before it, so the search
  * converges as Newton's method does.
  *
+ * <p>Of who tumbles, |w| is the largest that it may have, and |n x w| no more than that at the
+ * start and what w may have changed by; |dw/dt| R is added to K.
+ *
  * <p>One thread. Allocates nothing.
  */
 public final class FirstMeeting {
@@ -311,7 +314,7 @@ public final class FirstMeeting {
         return turning(a, nx, ny, nz) + turning(b, nx, ny, nz);
     }
 
-    /** |n x w| R. */
+    /** |n x w| R, w being at most so far from that of the start. */
     private static double turning(Flight f, double nx, double ny, double nz) {
         if (f.spin == 0) {
             return 0;
@@ -319,17 +322,22 @@ public final class FirstMeeting {
         double x = ny * f.wz - nz * f.wy;
         double y = nz * f.wx - nx * f.wz;
         double z = nx * f.wy - ny * f.wx;
-        return f.radius * Math.sqrt(x * x + y * y + z * z);
+        double across = Math.sqrt(x * x + y * y + z * z);
+        if (f.swing > 0) {
+            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+            across = Math.min(across + f.swing * length, f.spin * length);
+        }
+        return f.radius * across;
     }
 
-    /** |aB - aA| + |wA|² RA + |wB|² RB. */
+    /** |aB - aA| + (|wA|² + |dwA/dt|) RA + (|wB|² + |dwB/dt|) RB. */
     private double bend() {
         double x = b.ax - a.ax;
         double y = b.ay - a.ay;
         double z = b.az - a.az;
         return Math.sqrt(x * x + y * y + z * z)
-                + a.spin * a.spin * a.radius
-                + b.spin * b.spin * b.radius;
+                + (a.spin * a.spin + a.swingRate) * a.radius
+                + (b.spin * b.spin + b.swingRate) * b.radius;
     }
 
     /** The span after which d - s t - K/2 t² is 0. */

@@ -4,14 +4,20 @@ import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * The way of a shape: a point that it turns about (the pivot) goes along a parabola, and the shape
- * turns about it at a constant angular velocity.
+ * turns about it at a constant angular velocity, or as a body that nothing turns ({@link
+ * #tumbles}).
  *
  * <p>Places are told as moves from where they were at the start, so that they are exact far from
  * the origin. One thread.
  */
 public final class Flight {
+    /** 1/sqrt(3). */
+    private static final double MOST_SWING = 0.5773502691896258;
+
     /** What moves. */
     public Shape shape = HalfSpace.of();
 
@@ -21,8 +27,11 @@ public final class Flight {
     /** Angular velocity, rad/s, world. */
     public double wx, wy, wz;
 
-    /** Its length; 0 where a turn changes nothing. */
+    /** Its length at most; 0 where a turn changes nothing. */
     double spin;
+
+    /** By how much the angular velocity may change in the time looked at, and at which rate. */
+    double swing, swingRate;
 
     /** How far a point of the shape may be from the pivot, m. */
     double radius;
@@ -35,6 +44,9 @@ public final class Flight {
     /** At a time: how far the shape's centre has moved, and its orientation. */
     public double x, y, z, qx, qy, qz, qw = 1;
 
+    /** At a time: angular velocity, rad/s, world. */
+    public double nowX, nowY, nowZ;
+
     /** At a time: from the pivot to the shape's centre. */
     public double armX, armY, armZ;
 
@@ -45,7 +57,10 @@ public final class Flight {
     public double movedX, movedY, movedZ;
 
     private final double[] turned = new double[3];
-    private final double[] turn = new double[4];
+    private final double[] turn = new double[7];
+
+    /** How it turns, unless at a constant rate. */
+    private @Nullable FreeTurn free;
 
     /** A shape that stays, until it is set. */
     public Flight() {}
@@ -79,7 +94,32 @@ public final class Flight {
         boolean turns = w > 0 && !(isBall && lever == 0);
         spin = turns ? w : 0;
         radius = turns ? lever + (isBall ? 0 : reach) : 0;
+        swing = 0;
+        swingRate = 0;
+        free = null;
+        nowX = wx;
+        nowY = wy;
+        nowZ = wz;
         move(0);
+    }
+
+    /**
+     * From now on it turns as a body that nothing turns; after {@link #begin}.
+     *
+     * <p>Each rate w1 of such a body changes by (I2 - I3)/I1 w2 w3, which is no more than w2 w3
+     * since no moment is above the sum of the others: together by |w|²/sqrt(3) at most.
+     *
+     * @param turning of the body, at its start
+     * @param until how long it is looked at, s
+     */
+    public void tumbles(FreeTurn turning, double until) {
+        if (spin == 0) {
+            return;
+        }
+        spin = turning.most();
+        swingRate = spin * spin * MOST_SWING;
+        swing = Math.min(2 * spin, until * swingRate);
+        free = turning;
     }
 
     /** Surface speed of turning, at most; m/s. */
@@ -104,7 +144,16 @@ public final class Flight {
             qw = sw;
             return;
         }
-        Rotations.turn(wx, wy, wz, spin, t, turn);
+        FreeTurn turning = free;
+        if (turning == null) {
+            Rotations.turn(wx, wy, wz, spin, t, turn);
+        } else {
+            turning.move(t);
+            turning.turned(turn);
+            nowX = turn[4];
+            nowY = turn[5];
+            nowZ = turn[6];
+        }
         tx = turn[0];
         ty = turn[1];
         tz = turn[2];
@@ -122,41 +171,6 @@ public final class Flight {
             y += armY - leverY;
             z += armZ - leverZ;
         }
-    }
-
-    /**
-     * How the shape would have lain at the start to lie as it does now, had it turned at another
-     * rate.
-     *
-     * @param x angular velocity, rad/s, world
-     * @param y see {@code x}
-     * @param z see {@code x}
-     * @param t the time of now, s
-     * @param out receives the unit quaternion, world from shape
-     */
-    public void turnBack(double x, double y, double z, double t, double[] out) {
-        double rate = Math.sqrt(x * x + y * y + z * z);
-        if (rate == 0) {
-            out[0] = qx;
-            out[1] = qy;
-            out[2] = qz;
-            out[3] = qw;
-            return;
-        }
-        Rotations.turn(-x, -y, -z, rate, t, turn);
-        double a = turn[0];
-        double b = turn[1];
-        double c = turn[2];
-        double d = turn[3];
-        double ox = d * qx + a * qw + b * qz - c * qy;
-        double oy = d * qy - a * qz + b * qw + c * qx;
-        double oz = d * qz + a * qy - b * qx + c * qw;
-        double ow = d * qw - a * qx - b * qy - c * qz;
-        double unit = 1 / Math.sqrt(ox * ox + oy * oy + oz * oz + ow * ow);
-        out[0] = ox * unit;
-        out[1] = oy * unit;
-        out[2] = oz * unit;
-        out[3] = ow * unit;
     }
 
     /** Where a point of now, from the shape's centre, was at the start, from the pivot. */

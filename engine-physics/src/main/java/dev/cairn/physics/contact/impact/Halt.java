@@ -222,7 +222,17 @@ public final class Halt {
         double qz = s.orientationZ[body];
         double qw = s.orientationW[body];
         Rotations.rotate(-qx, -qy, -qz, qw, lx, ly, lz, turn);
-        Spin.inverseInertia(s, body, turn[0], turn[1], turn[2], turn);
+        inverseInertia(s, body, turn[0], turn[1], turn[2], turn);
         Rotations.rotate(qx, qy, qz, qw, turn[0], turn[1], turn[2], turn);
+    }
+
+    /** J x, in body axes. */
+    static void inverseInertia(BodyStore s, int body, double x, double y, double z, double[] out) {
+        double xy = s.inverseInertiaXY[body];
+        double xz = s.inverseInertiaXZ[body];
+        double yz = s.inverseInertiaYZ[body];
+        out[0] = s.inverseInertiaXX[body] * x + xy * y + xz * z;
+        out[1] = xy * x + s.inverseInertiaYY[body] * y + yz * z;
+        out[2] = xz * x + yz * y + s.inverseInertiaZZ[body] * z;
     }
 }

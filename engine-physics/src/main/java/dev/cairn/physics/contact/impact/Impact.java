@@ -3,6 +3,7 @@ package dev.cairn.physics.contact.impact;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.sweep.Flight;
 
 /**
  * The impulses of one impact between two bodies, at the poses of that moment.
@@ -67,27 +68,19 @@ final class Impact {
      *
      * @param side 0 or 1
      * @param body its slot; without mass if it does not answer
+     * @param f how it lies and turns at the impact
+     * @param time of the impact, s
      */
-    void side(
-            int side,
-            BodyStore s,
-            int body,
-            double qx,
-            double qy,
-            double qz,
-            double qw,
-            double vx,
-            double vy,
-            double vz) {
+    void side(int side, BodyStore s, int body, Flight f, double time) {
         boolean answers = s.kind[body] == BodyStore.DYNAMIC;
         mass[side] = answers ? s.inverseMass[body] : 0;
         int at = 6 * side;
-        before[at] = vx;
-        before[at + 1] = vy;
-        before[at + 2] = vz;
-        before[at + 3] = s.angularVelocityX[body];
-        before[at + 4] = s.angularVelocityY[body];
-        before[at + 5] = s.angularVelocityZ[body];
+        before[at] = f.vx + time * f.ax;
+        before[at + 1] = f.vy + time * f.ay;
+        before[at + 2] = f.vz + time * f.az;
+        before[at + 3] = f.nowX;
+        before[at + 4] = f.nowY;
+        before[at + 5] = f.nowZ;
         for (int c = 0; c < 3; c++) {
             if (!answers) {
                 inverse[9 * side + 3 * c] = 0;
@@ -99,9 +92,9 @@ final class Impact {
             double ex = c == 0 ? 1 : 0;
             double ey = c == 1 ? 1 : 0;
             double ez = c == 2 ? 1 : 0;
-            Rotations.rotate(-qx, -qy, -qz, qw, ex, ey, ez, column);
-            Spin.inverseInertia(s, body, column[0], column[1], column[2], column);
-            Rotations.rotate(qx, qy, qz, qw, column[0], column[1], column[2], column);
+            Rotations.rotate(-f.qx, -f.qy, -f.qz, f.qw, ex, ey, ez, column);
+            Halt.inverseInertia(s, body, column[0], column[1], column[2], column);
+            Rotations.rotate(f.qx, f.qy, f.qz, f.qw, column[0], column[1], column[2], column);
             System.arraycopy(column, 0, inverse, 9 * side + 3 * c, 3);
         }
     }

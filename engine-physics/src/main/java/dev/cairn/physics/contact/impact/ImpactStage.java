@@ -43,12 +43,10 @@ public final class ImpactStage {
     /** The material of two colliders that have no row. */
     private final ContactStore mixed = new ContactStore();
 
-    private final double[] turned = new double[4];
-    private final Spin spin = new Spin();
-    private final Outcome outcome;
+    /** Orientation and angular velocity of a body. */
+    private final double[] state = new double[7];
 
-    /** By body: orientation and angular velocity at the last impact. */
-    private double[] last = {};
+    private final Outcome outcome;
 
     /** Meetings of one time: two colliders and their row. */
     private int[] taken = new int[192];
@@ -87,14 +85,10 @@ public final class ImpactStage {
         step = stepSeconds;
         reach = reachSeconds;
         pair.use(freedom);
-        int slots = colliders.bodies.slotCount;
-        if (last.length < 7 * slots) {
-            last = new double[7 * (slots + (slots >> 1))];
-        }
         followed.begin();
         bodies.begin(freedom);
         outcome.clear();
-        outcome.reserve(last.length / 7, contacts.bodyA.length);
+        outcome.reserve(colliders.bodies.kind.length, contacts.bodyA.length);
         queue.clear();
         queue.reserve(contacts.bodyA.length);
         if (mixed.count == 0) {
@@ -173,30 +167,6 @@ public final class ImpactStage {
             strikeTaken(first);
         }
         followed.release();
-        for (int i = 0; i < bodies.count; i++) {
-            int body = bodies.list[i];
-            if (!bodies.closed[body] && bodies.free[body] == 0 && !pair.isSteady(body)) {
-                keepTurning(body);
-            }
-        }
-    }
-
-    /**
-     * Who tumbles ends the tick as he was looked at: turned at the angular velocity of the last
-     * impact. His angular momentum is that of then, and his energy no more.
-     */
-    private void keepTurning(int body) {
-        BodyStore s = colliders.bodies;
-        Flight f = pair.way(body, step, step);
-        int at = outcome.put(body, f);
-        spin.momentum(s, body, last, 7 * body);
-        spin.velocity(s, body, f.qx, f.qy, f.qz, f.qw);
-        outcome.stops[at + 10] = s.velocityX[body] + step * f.ax;
-        outcome.stops[at + 11] = s.velocityY[body] + step * f.ay;
-        outcome.stops[at + 12] = s.velocityZ[body] + step * f.az;
-        outcome.stops[at + 13] = spin.x;
-        outcome.stops[at + 14] = spin.y;
-        outcome.stops[at + 15] = spin.z;
     }
 
     /** Whether the meeting that was taken out is still to come. */
@@ -356,11 +326,9 @@ public final class ImpactStage {
         }
     }
 
-    /** 1/kg; below 0 if the body may not be stopped. */
-    private double weight(int body) {
-        boolean isStopped =
-                colliders.bodies.kind[body] == BodyStore.DYNAMIC && bodies.free[body] == 0;
-        return isStopped ? colliders.bodies.inverseMass[body] : -1;
+    /** Whether a body may be stopped. */
+    private boolean isLoose(int body) {
+        return colliders.bodies.kind[body] == BodyStore.DYNAMIC && bodies.free[body] == 0;
     }
 
     /** Stops one of two that turn too often in a tick to be followed. */
@@ -378,26 +346,59 @@ public final class ImpactStage {
     }
 
     /**
-     * Of two that strike each other more often than anybody can follow, the lighter one stays where
-     * it is, and goes along with the other: it loses the rest of the tick.
+     * Two that strike each other more often than anybody can follow lose the rest of the tick: they
+     * lie as they do, and go on with their common centre of mass. So what is between them stays,
+     * and with it the angular momentum {@code r x m u} of their relative motion. Of two of which
+     * only one may be stopped, that one stays where it is and goes along with the other.
      */
     private void stop(int first, int second, Manifold m, double time) {
-        BodyStore s = colliders.bodies;
-        int side = weight(colliders.body[first]) >= weight(colliders.body[second]) ? 0 : 1;
-        int body = colliders.body[side == 0 ? first : second];
-        if (s.kind[body] != BodyStore.DYNAMIC || bodies.free[body] != 0) {
-            return;
+        int a = colliders.body[first];
+        int b = colliders.body[second];
+        if (isLoose(a) && isLoose(b)) {
+            stopBoth(a, b, time);
+        } else if (isLoose(a) || isLoose(b)) {
+            int side = isLoose(a) ? 0 : 1;
+            double carried = (step - time) * impact.carrier(1 - side, m);
+            int body = side == 0 ? a : b;
+            int at = end(side, body, side == 0 ? pair.first() : pair.second());
+            outcome.stops[at] += carried * m.normalX;
+            outcome.stops[at + 1] += carried * m.normalY;
+            outcome.stops[at + 2] += carried * m.normalZ;
         }
+    }
+
+    private void stopBoth(int a, int b, double time) {
+        double[] light = colliders.bodies.inverseMass;
+        // of the mass, the first one's
+        double share = light[b] / (light[a] + light[b]);
+        double rest = step - time;
+        Flight f = pair.first();
+        Flight g = pair.second();
+        int i = end(0, a, f);
+        int j = end(1, b, g);
+        double[] v = impact.after;
+        double[] stops = outcome.stops;
+        for (int c = 0; c < 3; c++) {
+            double ax = c == 0 ? f.ax : c == 1 ? f.ay : f.az;
+            double bx = c == 0 ? g.ax : c == 1 ? g.ay : g.az;
+            double speed = share * v[c] + (1 - share) * v[6 + c];
+            double way = rest * (speed + 0.5 * rest * (share * ax + (1 - share) * bx));
+            stops[i + c] += way;
+            stops[j + c] += way;
+            stops[i + 10 + c] += rest * ax;
+            stops[j + 10 + c] += rest * bx;
+        }
+    }
+
+    /** A body's tick ends as it lies and moves at the impact; returns its place in the outcome. */
+    private int end(int side, int body, Flight f) {
         bodies.closed[body] = true;
         for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
             contacts.disable(link >> 1);
         }
-        double carried = (step - time) * impact.carrier(1 - side, m);
-        int at = outcome.put(body, side == 0 ? pair.first() : pair.second());
-        outcome.stops[at] += carried * m.normalX;
-        outcome.stops[at + 1] += carried * m.normalY;
-        outcome.stops[at + 2] += carried * m.normalZ;
+        int at = outcome.put(body, f);
         System.arraycopy(impact.after, 6 * side, outcome.stops, at + 10, 6);
+        return at;
     }
 
     private int mix(int first, int second) {
@@ -422,17 +423,7 @@ public final class ImpactStage {
     }
 
     private void side(int side, int body, Flight f, double time) {
-        impact.side(
-                side,
-                colliders.bodies,
-                body,
-                f.qx,
-                f.qy,
-                f.qz,
-                f.qw,
-                f.vx + time * f.ax,
-                f.vy + time * f.ay,
-                f.vz + time * f.az);
+        impact.side(side, colliders.bodies, body, f, time);
     }
 
     /** Gives a body the velocities after the impact; dv at t is dv now from a start at -t dv. */
@@ -464,20 +455,19 @@ public final class ImpactStage {
         s.velocityX[body] += dx;
         s.velocityY[body] += dy;
         s.velocityZ[body] += dz;
-        s.angularVelocityX[body] = w[at + 3];
-        s.angularVelocityY[body] = w[at + 4];
-        s.angularVelocityZ[body] = w[at + 5];
-        int q = 7 * body;
-        last[q] = f.qx;
-        last[q + 1] = f.qy;
-        last[q + 2] = f.qz;
-        last[q + 3] = f.qw;
-        System.arraycopy(w, at + 3, last, q + 4, 3);
-        f.turnBack(w[at + 3], w[at + 4], w[at + 5], time, turned);
-        s.orientationX[body] = turned[0];
-        s.orientationY[body] = turned[1];
-        s.orientationZ[body] = turned[2];
-        s.orientationW[body] = turned[3];
+        state[0] = f.qx;
+        state[1] = f.qy;
+        state[2] = f.qz;
+        state[3] = f.qw;
+        System.arraycopy(w, at + 3, state, 4, 3);
+        pair.back(body, time, state);
+        s.orientationX[body] = state[0];
+        s.orientationY[body] = state[1];
+        s.orientationZ[body] = state[2];
+        s.orientationW[body] = state[3];
+        s.angularVelocityX[body] = state[4];
+        s.angularVelocityY[body] = state[5];
+        s.angularVelocityZ[body] = state[6];
     }
 
     /**

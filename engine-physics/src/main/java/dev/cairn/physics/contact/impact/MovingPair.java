@@ -100,20 +100,13 @@ public interface MovingPair {
     Manifold tell(int row, double reach);
 
     /**
-     * Where a body of one shape is at a time.
+     * Finds how a body lay and turned at the start of the tick, if it turns freely and does so at a
+     * time.
      *
      * @param body slot
-     * @param seconds since the start of the tick
-     * @param stepSeconds length of the tick, s
-     * @return its way, there; until the next call of anything
+     * @param seconds that time, since the start of the tick
+     * @param state orientation and angular velocity, world, at the time; receives those of the
+     *     start
      */
-    Flight way(int body, double seconds, double stepSeconds);
-
-    /**
-     * Whether a body turns about a principal axis, and nothing turns it: w x I w = 0.
-     *
-     * @param body slot
-     * @return whether its angular velocity stays as it is
-     */
-    boolean isSteady(int body);
+    void back(int body, double seconds, double[] state);
 }

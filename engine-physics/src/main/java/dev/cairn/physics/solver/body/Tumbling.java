@@ -79,15 +79,7 @@ public final class Tumbling {
         double i1 = axes[p + PrincipalAxes.MOMENT];
         double i2 = axes[p + PrincipalAxes.MOMENT + 1];
         double i3 = axes[p + PrincipalAxes.MOMENT + 2];
-        double same = SAME * i1;
-        int own = -1;
-        if (Math.abs(i1 - i2) <= same) {
-            own = 2;
-        } else if (Math.abs(i2 - i3) <= same) {
-            own = 0;
-        } else if (Math.abs(i3 - i1) <= same) {
-            own = 1;
-        }
+        int own = symmetry(axes, p);
         double speed = Math.sqrt(w[o] * w[o] + w[o + 1] * w[o + 1] + w[o + 2] * w[o + 2]);
         double parts = Math.max(1, Math.min(Math.ceil(Math.abs(h) * speed / TURN), STEPS));
         multiply(bodies, i, axes, p + PrincipalAxes.QX, 1);
@@ -99,6 +91,71 @@ public final class Tumbling {
             moserVeselov(bodies, i, i1, i2, i3, w, o, h / parts, count * (int) parts);
         }
         multiply(bodies, i, axes, p + PrincipalAxes.QX, -1);
+    }
+
+    /** The axis about which the others' moments are equal, or -1. */
+    public static int symmetry(double[] axes, int p) {
+        double i1 = axes[p + PrincipalAxes.MOMENT];
+        double i2 = axes[p + PrincipalAxes.MOMENT + 1];
+        double i3 = axes[p + PrincipalAxes.MOMENT + 2];
+        double same = SAME * i1;
+        if (Math.abs(i1 - i2) <= same) {
+            return 2;
+        }
+        if (Math.abs(i2 - i3) <= same) {
+            return 0;
+        }
+        return Math.abs(i3 - i1) <= same ? 1 : -1;
+    }
+
+    /**
+     * Turns a body by what it does in the mean, see {@link #precess}; any time.
+     *
+     * @param t s
+     */
+    public static void whirl(BodyStore bodies, int i, double[] axes, double[] w, double t) {
+        int p = i * PrincipalAxes.STRIDE;
+        multiply(bodies, i, axes, p + PrincipalAxes.QX, 1);
+        precess(
+                bodies,
+                i,
+                axes[p + PrincipalAxes.MOMENT],
+                axes[p + PrincipalAxes.MOMENT + 1],
+                axes[p + PrincipalAxes.MOMENT + 2],
+                w,
+                0,
+                t);
+        multiply(bodies, i, axes, p + PrincipalAxes.QX, -1);
+    }
+
+    /**
+     * How fast a body turns at most, whatever becomes of its axis: the largest sum of the squares
+     * {@code u} of its three rates, of those with {@code sum I u = 2E} and {@code sum I² u = L²},
+     * is one in which a rate is 0.
+     *
+     * @return rad/s
+     */
+    public static double fastest(BodyStore bodies, int i, double[] axes, double[] w) {
+        int p = i * PrincipalAxes.STRIDE;
+        multiply(bodies, i, axes, p + PrincipalAxes.QX, 1);
+        double energy = 0;
+        double square = 0;
+        for (int k = 0; k < 3; k++) {
+            double rate = own(bodies, i, k, w, 0);
+            double moment = axes[p + PrincipalAxes.MOMENT + k];
+            energy += moment * rate * rate;
+            square += moment * moment * rate * rate;
+        }
+        multiply(bodies, i, axes, p + PrincipalAxes.QX, -1);
+        double most = 0;
+        for (int k = 0; k < 3; k++) {
+            double a = axes[p + PrincipalAxes.MOMENT + k];
+            double b = axes[p + PrincipalAxes.MOMENT + (k + 1) % 3];
+            double u = (square - b * energy) / (a * (a - b));
+            double v = (square - a * energy) / (b * (b - a));
+            most = u >= 0 && v >= 0 ? Math.max(most, u + v) : most;
+        }
+        return Math.sqrt(most);
     }
 
     /**
