@@ -71,6 +71,7 @@ final class ArtifactsTest {
                         "Roboto",
                         "GLFW",
                         "Nuklear",
+                        "nativefiledialog-extended",
                         "stb",
                         "Gson",
                         "picocli",

@@ -6,7 +6,7 @@ import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
 import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
-import dev.cairn.samples.editor.files.FileChooser;
+import dev.cairn.samples.editor.files.FileDialog;
 import dev.cairn.samples.editor.gizmo.Gizmo;
 import dev.cairn.samples.panel.Places;
 import dev.cairn.samples.scenefile.EntitySpec;
@@ -58,7 +58,7 @@ public final class EditorPanels {
     private final Titles titles = new Titles();
     private final TextBuffer text = new TextBuffer();
 
-    private final FileChooser chooser = new FileChooser();
+    private final FileDialog chooser = new FileDialog();
     private final SelectionLines lines = new SelectionLines();
     private int stepsBefore;
     private int restFrames;
@@ -289,14 +289,18 @@ public final class EditorPanels {
     }
 
     private void chosenFile(Ui ui, View view) {
-        Path chosenFile = chooser.draw(ui);
-        if (chosenFile != null) {
-            if (chosenFile.toString().endsWith(".json")) {
-                editor.files().load(chosenFile.toString());
-            } else {
-                editor.placeMesh(
-                        editor.files().relative(chosenFile), mouse.free(view, Supply.ANY_MESH));
-            }
+        FileDialog.Taken taken = chooser.draw(ui);
+        if (taken == null) {
+            return;
+        }
+        String name = editor.files().relative(taken.file());
+        if (taken.saves()) {
+            fileName = name; // so that "save once more" means this file
+            save();
+        } else if (name.endsWith(".json")) {
+            editor.files().load(name);
+        } else {
+            editor.placeMesh(name, mouse.free(view, Supply.ANY_MESH));
         }
     }
 
@@ -374,8 +378,12 @@ public final class EditorPanels {
             editor.files().load(fileName);
         }
         if (ui.button("Open...")) {
-            chooser.show("Open a scene", editor.files().folder(), ".json");
+            chooser.open("Open a scene", editor.files().folder(), ".json");
         }
+        if (ui.button("Save as...")) {
+            chooser.save("Save the scene", editor.files().folder(), ".json", shortName());
+        }
+        ui.columns(1);
         if (ui.button("Keep view")) {
             keepView(view.camera());
         }
@@ -385,6 +393,11 @@ public final class EditorPanels {
             }
             ui.text(editor.message());
         }
+    }
+
+    /** The name of the file without folders. */
+    private String shortName() {
+        return fileName.substring(fileName.replace('\\', '/').lastIndexOf('/') + 1).strip();
     }
 
     private void palette(Ui ui, View view) {
@@ -400,7 +413,7 @@ public final class EditorPanels {
         meshName = ui.textField("mesh (.obj)", meshName);
         ui.columns(2);
         if (ui.button("Choose...")) {
-            chooser.show("Choose a mesh", editor.files().folder(), ".obj");
+            chooser.open("Choose a mesh", editor.files().folder(), ".obj");
         }
         if (ui.button("Place mesh")) {
             editor.placeMesh(meshName, mouse.free(view, Supply.ANY_MESH));

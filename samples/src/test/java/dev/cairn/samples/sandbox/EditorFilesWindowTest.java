@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile;
+import dev.cairn.samples.scenefile.SceneReader;
 import dev.cairn.samples.scenefile.SceneWriter;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
@@ -18,6 +19,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 
 import javax.imageio.ImageIO;
 
@@ -43,6 +45,12 @@ class EditorFilesWindowTest extends WindowFixture {
     @Override
     public boolean ready(Seen seen) {
         return seen.number("tick") >= 1;
+    }
+
+    /** A desktop whose bus has gone: its dialog fails, and the window's own list takes over. */
+    @Override
+    public Map<String, String> environment() {
+        return Map.of("DBUS_SESSION_BUS_ADDRESS", "unix:path=" + folder.resolve("gone"));
     }
 
     @Override
@@ -100,5 +108,15 @@ class EditorFilesWindowTest extends WindowFixture {
         settle();
         look("editor-chosen");
         assertEquals(0, now().number("shortened"), last);
+
+        click("box");
+        await("an unsaved edit", seen -> seen.flag("changed"));
+        click("Save as...");
+        await("the list", seen -> seen.values().containsKey("Save_hereX"));
+        settle();
+        look("editor-save-as");
+        click("Save here"); // by the name that is proposed, the scene's own
+        await("the edit to be saved", seen -> !seen.flag("changed"));
+        assertEquals(2, SceneReader.read(folder.resolve("below/other.json")).entities().size());
     }
 }

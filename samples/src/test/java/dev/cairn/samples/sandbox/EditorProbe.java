@@ -3,6 +3,7 @@ package dev.cairn.samples.sandbox;
 import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.render.app.View;
 import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.editor.files.FileChooser;
 import dev.cairn.samples.editor.files.LeaveQuestion;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenes.stack.StackOfBoxes;
@@ -30,6 +31,8 @@ final class EditorProbe extends Sandbox {
                     "Save",
                     "Turn",
                     "Open...",
+                    "Save as...",
+                    FileChooser.SAVE,
                     "other.json",
                     "below/",
                     "Scale",

@@ -150,6 +150,9 @@ public abstract class WindowFixture {
         builder.environment().put("DISPLAY", display);
         builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
         builder.environment().remove("WAYLAND_DISPLAY");
+        // No desktop: a file dialog of whoever runs the tests would wait for its user.
+        builder.environment().remove("DBUS_SESSION_BUS_ADDRESS");
+        builder.environment().put("XDG_RUNTIME_DIR", folder.toString());
         builder.environment().putAll(environment());
         sandbox = builder.redirectError(folder.resolve("sandbox.txt").toFile()).start();
         BufferedReader reader =

@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -14,12 +15,18 @@ import java.util.Locale;
 import java.util.stream.Stream;
 
 /**
- * A panel that lists a folder: a click on a folder goes there, a click on a file takes it. The
- * folder is read when it is entered. Window thread.
+ * A panel that lists a folder: a click on a folder goes there, a click on a file takes it, or its
+ * name where a file is to be written. The folder is read when it is entered. Window thread.
  */
 public final class FileChooser {
     /** The button that puts the list away. */
     public static final String CANCEL = "Cancel";
+
+    /** The button that takes the name in the field, in the folder that is listed. */
+    public static final String SAVE = "Save here";
+
+    /** The field of the name. */
+    public static final String NAME = "save as";
 
     private static final double WIDTH = 360;
     private static final double HEIGHT = 420;
@@ -28,6 +35,8 @@ public final class FileChooser {
     private boolean shown;
     private String title = "";
     private String ending = "";
+    private boolean saves;
+    private String saveName = "";
     private Path folder = Path.of("");
     private String place = "";
     private String problem = "";
@@ -37,18 +46,23 @@ public final class FileChooser {
     /** A list that is not shown. */
     public FileChooser() {}
 
-    /**
-     * Shows a folder.
-     *
-     * @param heading of the panel
-     * @param where an existing folder
-     * @param wantedEnding of the names of files, such as {@code .json}
-     */
-    public void show(String heading, Path where, String wantedEnding) {
+    /** Shows the folder of a question. */
+    void show(FileQuestion question) {
         shown = true;
-        title = heading;
-        ending = wantedEnding;
-        enter(where.toAbsolutePath().normalize());
+        title = question.heading();
+        ending = question.ending();
+        saves = question.saves();
+        saveName = question.name();
+        enter(question.folder().toAbsolutePath().normalize());
+    }
+
+    /** Says something above the list until another folder is entered. */
+    void tell(String text) {
+        problem = problem.isEmpty() ? text : text + "; " + problem;
+    }
+
+    boolean isShown() {
+        return shown;
     }
 
     /**
@@ -124,15 +138,26 @@ public final class FileChooser {
             if (!problem.isEmpty()) {
                 ui.text(problem);
             }
-            ui.columns(1);
+            if (saves) {
+                saveName = ui.textField(NAME, saveName);
+                ui.columns(2);
+                if (ui.button(SAVE)) {
+                    taken = named();
+                }
+            } else {
+                ui.columns(1);
+            }
             if (ui.button(CANCEL)) {
                 shown = false;
             }
+            ui.columns(1);
             for (int i = 0; i < names.size(); i++) {
                 if (ui.item(names.get(i), false, "")) {
                     Path target = targets.get(i);
                     if (names.get(i).endsWith("/") || names.get(i).equals("..")) {
                         entered = target;
+                    } else if (saves) {
+                        saveName = names.get(i);
                     } else {
                         taken = target;
                         shown = false;
@@ -145,6 +170,17 @@ public final class FileChooser {
             enter(entered);
         }
         return taken;
+    }
+
+    private @Nullable Path named() {
+        try {
+            Path whole = folder.resolve(saveName.strip());
+            shown = false;
+            return whole;
+        } catch (InvalidPathException broken) {
+            problem = "no name of a file: " + broken.getReason();
+            return null;
+        }
     }
 
     /**
