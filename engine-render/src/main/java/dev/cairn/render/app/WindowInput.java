@@ -30,6 +30,7 @@ import dev.cairn.render.ui.nuklear.NuklearUi;
 import org.jspecify.annotations.Nullable;
 import org.lwjgl.glfw.GLFWDropCallback;
 
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -138,18 +139,24 @@ final class WindowInput {
         glfwSetCursorPosCallback(window, (w, x, y) -> note(CURSOR, 0, 0, x, y));
         glfwSetCharCallback(window, (w, letter) -> note(LETTER, letter, 0, 0, 0));
         glfwSetWindowFocusCallback(window, (w, focused) -> note(FOCUS, focused ? 1 : 0, 0, 0, 0));
-        glfwSetDropCallback(window, (w, count, names) -> dropped = paths(count, names));
+        glfwSetDropCallback(window, (w, count, names) -> note(count, names));
         glfwGetCursorPos(window, startX, startY);
         cursorX = startX[0];
         cursorY = startY[0];
     }
 
-    private static List<Path> paths(int count, long names) {
-        List<Path> paths = new ArrayList<>();
+    /** What is thrown in a callback is told nowhere, and the other files would be lost with it. */
+    private void note(int count, long names) {
+        List<Path> paths = new ArrayList<>(dropped);
         for (int i = 0; i < count; i++) {
-            paths.add(Path.of(GLFWDropCallback.getName(names, i)));
+            try {
+                paths.add(Path.of(GLFWDropCallback.getName(names, i)));
+            } catch (InvalidPathException unnamed) {
+                // Java names files in the encoding of the locale, and the C locale has few letters.
+                application.notice("A file cannot be named in this locale: " + unnamed.getInput());
+            }
         }
-        return List.copyOf(paths);
+        dropped = List.copyOf(paths);
     }
 
     /** The files that were dropped into the window since the last call. */

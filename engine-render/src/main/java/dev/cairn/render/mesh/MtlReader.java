@@ -1,8 +1,6 @@
 package dev.cairn.render.mesh;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -109,9 +107,9 @@ final class MtlReader {
             throw new ObjFormatException(
                     file, 0, "expected an .mtl file, found nothing there", null);
         }
-        try (BufferedReader in = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
+        try (BoundedLines in = new BoundedLines(file)) {
             String text;
-            while ((text = in.readLine()) != null) {
+            while ((text = in.next()) != null) {
                 line++;
                 statement(text);
             }

@@ -2,9 +2,7 @@ package dev.cairn.render.mesh;
 
 import org.jspecify.annotations.Nullable;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -184,10 +182,9 @@ public final class ObjReader {
             throw new ObjFormatException(
                     file, 0, "expected an .obj file, found a pipe or a device", null);
         }
-        // Every byte is a character in Latin-1, so names and comments in any encoding pass.
-        try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
+        try (BoundedLines reader = new BoundedLines(file)) {
             String text;
-            while ((text = reader.readLine()) != null) {
+            while ((text = reader.next()) != null) {
                 line++;
                 int first = line;
                 statement(text.endsWith("\\") ? continued(text, reader) : text, first);
@@ -215,12 +212,15 @@ public final class ObjReader {
     }
 
     /** A line and those that its backslash, and theirs, joins to it. */
-    private String continued(String begun, BufferedReader reader) throws IOException {
+    private String continued(String begun, BoundedLines reader) throws IOException {
         StringBuilder whole = new StringBuilder();
         String text = begun;
         while (text.endsWith("\\")) {
             whole.append(text, 0, text.length() - 1).append(' ');
-            text = reader.readLine();
+            if (whole.length() > BoundedLines.LONGEST) {
+                throw new IOException("a line of more than " + BoundedLines.LONGEST);
+            }
+            text = reader.next();
             line++;
             if (text == null) {
                 return whole.toString();

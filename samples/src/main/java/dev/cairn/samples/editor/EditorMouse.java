@@ -13,6 +13,7 @@ import dev.cairn.samples.scenefile.edit.GroupEdit;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -231,6 +232,10 @@ final class EditorMouse {
             Xyz at = Ground.under(Supply.ANY_MESH, there, editor.scene().entities());
             editor.placeMesh(editor.files().relative(file), at);
         } else if (name.endsWith(".png") || name.endsWith(".jpg")) {
+            if (!Files.isRegularFile(file)) {
+                editor.fail(file + ": expected a picture; there is none");
+                return;
+            }
             Pick pick = view.pick(view.pointer().across(), view.pointer().upwards());
             int index = pick == null ? Editor.NOTHING : indexOf(pick.entity(), entities);
             if (index == Editor.NOTHING) {

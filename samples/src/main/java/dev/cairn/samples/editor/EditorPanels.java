@@ -47,6 +47,9 @@ public final class EditorPanels {
     private static final String DUPLICATE = "editor: duplicate";
     private static final double RAISE = 0.1;
 
+    /** Files that are taken in one drop; a whole folder of them was hardly meant. */
+    private static final int MOST_DROPPED = 100;
+
     private final Editor editor;
     private final EntityPanel entity;
     private final JointPanel joint;
@@ -166,12 +169,26 @@ public final class EditorPanels {
      */
     public void dropped(View view, long[] entities) {
         List<Path> files = view.dropped();
+        if (files.isEmpty()) {
+            return;
+        }
+        if (editor.mode() == Editor.Mode.CLOSED) {
+            editor.open();
+        }
+        editor.stop();
+        if (files.size() > MOST_DROPPED) {
+            editor.fail(files.size() + " files: at most " + MOST_DROPPED + " are taken at once");
+            return;
+        }
+        int refused = 0;
         for (int i = 0; i < files.size(); i++) {
-            if (editor.mode() == Editor.Mode.CLOSED) {
-                editor.open();
-            }
-            editor.stop();
             mouse.dropped(view, entities, files.get(i));
+            refused += editor.isWrong() ? 1 : 0;
+        }
+        if (refused > 1) {
+            editor.fail(
+                    "%d of %d files were not taken, the last one since: %s"
+                            .formatted(refused, files.size(), editor.message()));
         }
     }
 

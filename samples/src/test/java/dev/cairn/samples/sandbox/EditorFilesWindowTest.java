@@ -70,7 +70,7 @@ class EditorFilesWindowTest extends WindowFixture {
 
     private void drop(Path file, int x, int y) throws IOException {
         try (WindowManager manager = manager()) {
-            manager.drop(file, x, y);
+            manager.drop(List.of(file.toUri().toString()), x, y);
         }
     }
 

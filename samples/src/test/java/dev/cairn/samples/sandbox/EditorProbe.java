@@ -75,7 +75,8 @@ final class EditorProbe extends Sandbox {
                                 + " asked=%b shortened=%d eyeZ=%.6f bodyX=%.6f bodyY=%.6f joints=%d"
                                 + " joint=%d awaited=%s count=%d tool=%s selectedZ=%s"
                                 + " texture=%s turnY=%.6f scaleX=%.6f scaleY=%.6f lowestY=%.6f"
-                                + " eyeX=%.6f eyeY=%.6f aheadX=%.6f aheadY=%.6f aheadZ=%.6f",
+                                + " eyeX=%.6f eyeY=%.6f aheadX=%.6f aheadY=%.6f aheadZ=%.6f"
+                                + " message=%s notes=%s",
                         view.frames(),
                         editor().mode(),
                         state.tick,
@@ -108,7 +109,9 @@ final class EditorProbe extends Sandbox {
                         eye.y,
                         view.camera().forward(ahead).x,
                         ahead.y,
-                        ahead.z));
+                        ahead.z,
+                        editor().message().replaceAll("\\s", "_"),
+                        state.notes.replaceAll("\\s", "_")));
         double[] at = new double[2];
         for (int axis = 0; axis < 3 && chosen != null; axis++) {
             if (editorPanels().gizmo().handleAt(axis, at)) {

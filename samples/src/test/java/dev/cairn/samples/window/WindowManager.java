@@ -7,7 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
+import java.util.List;
 
 /**
  * What a window manager tells a window on X11: that it is minimised, that it is there again, that
@@ -89,9 +89,9 @@ public final class WindowManager implements AutoCloseable {
     /**
      * What a file manager does where a file is let go over the window ("Drag-and-Drop Protocol for
      * the X Window System", version 5): it owns the selection, tells of the way and of the drop,
-     * and hands out the file's name when it is asked.
+     * and hands out the files' names when it is asked.
      */
-    public void drop(Path file, int x, int y) throws IOException {
+    public void drop(List<String> uris, int x, int y) throws IOException {
         int selection = atom("XdndSelection");
         int list = atom("text/uri-list");
         int enter = atom("XdndEnter");
@@ -120,7 +120,9 @@ public final class WindowManager implements AutoCloseable {
         int requestor = asked.getInt(12);
         int target = asked.getInt(20);
         int property = asked.getInt(24);
-        byte[] letters = (file.toUri() + "\r\n").getBytes(StandardCharsets.US_ASCII);
+        StringBuilder names = new StringBuilder();
+        uris.forEach(uri -> names.append(uri).append("\r\n"));
+        byte[] letters = names.toString().getBytes(StandardCharsets.US_ASCII);
         int words = 6 + (letters.length + 3) / 4;
         send(
                 bytes(4 * words)
