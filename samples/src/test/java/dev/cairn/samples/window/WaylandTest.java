@@ -1,6 +1,7 @@
 package dev.cairn.samples.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -13,6 +14,7 @@ import dev.cairn.render.ui.Ui;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.lwjgl.glfw.GLFW;
 
 import java.io.File;
 import java.io.IOException;
@@ -47,6 +49,11 @@ class WaylandTest {
 
         @Override
         protected void panels(Ui ui, View view) {
+            // What is asked of Wayland in vain leaves no trace but GLFW's last error.
+            int error = GLFW.glfwGetError(null);
+            if (error != GLFW.GLFW_NO_ERROR) {
+                System.out.printf("error=%#x in frame %d%n", error, view.frames());
+            }
             long stage = view.frames() / FRAMES_EACH;
             if (view.frames() % FRAMES_EACH == FRAMES_EACH - 1) {
                 System.out.printf("size=%.0fx%.0f%n", ui.width(), ui.height());
@@ -101,6 +108,7 @@ class WaylandTest {
             String own = "size=640x480";
             String whole = "size=1100x700";
             assertEquals(List.of(own, whole, own, whole, own), sizes, told);
+            assertFalse(told.contains("error="), told);
         } finally {
             compositor.destroy();
             compositor.waitFor();
