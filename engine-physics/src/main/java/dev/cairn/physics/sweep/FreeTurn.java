@@ -212,16 +212,10 @@ public final class FreeTurn {
         double py = -ends[1];
         double pz = -ends[2];
         double pw = ends[3];
-        double qx = a * px + x * pw + (y * pz - z * py);
-        double qy = a * py + y * pw + (z * px - x * pz);
-        double qz = a * pz + z * pw + (x * py - y * px);
-        double qw = a * pw - (x * px + y * py + z * pz);
-        // who is struck takes his orientation from here: what it lacks to 1 would double each time
-        double unit = 1 / Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
-        out[0] = qx * unit;
-        out[1] = qy * unit;
-        out[2] = qz * unit;
-        out[3] = qw * unit;
+        out[0] = a * px + x * pw + (y * pz - z * py);
+        out[1] = a * py + y * pw + (z * px - x * pz);
+        out[2] = a * pz + z * pw + (x * py - y * px);
+        out[3] = a * pw - (x * px + y * py + z * pz);
         System.arraycopy(w, 0, out, 4, 3);
     }
 
