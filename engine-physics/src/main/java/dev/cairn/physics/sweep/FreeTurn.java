@@ -148,6 +148,7 @@ public final class FreeTurn {
      * @param state orientation and angular velocity, at the time; receives those of the start
      */
     public void back(BodyStore s, int body, double tick, double t, double[] state) {
+        unit(state, 0);
         if (isSteady(s, body, state)) {
             turnBack(state, t);
             return;
@@ -167,6 +168,22 @@ public final class FreeTurn {
         }
         save(0);
         System.arraycopy(ends, 0, state, 0, STATE);
+    }
+
+    /**
+     * Makes an orientation a unit one that was found by a {@link Flight}, which turns the
+     * orientation of the start: who is struck again and again would double what it lacks each time.
+     */
+    public static void unit(double[] q, int at) {
+        double square =
+                q[at] * q[at]
+                        + q[at + 1] * q[at + 1]
+                        + q[at + 2] * q[at + 2]
+                        + q[at + 3] * q[at + 3];
+        double unit = 1 / Math.sqrt(square);
+        for (int c = at; c < at + 4; c++) {
+            q[c] *= unit;
+        }
     }
 
     private void turn(double t) {
