@@ -13,6 +13,7 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Poses;
+import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.narrowphase.pair.Reach;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Placement;
@@ -54,6 +55,9 @@ final class CentreGuard {
     /** Of the inner radius: how far the centre stays away. */
     private static final double AWAY = 0.25;
 
+    /** Of one who answers, rad: beyond, nobody is looked at from it. */
+    private static final double TURN = 1;
+
     private final BlockJob bodiesJob = this::bodiesBlock;
     private final BlockJob rowsJob = this::rowsBlock;
 
@@ -66,6 +70,7 @@ final class CentreGuard {
     private final Placement surface = new Placement();
     private final Hit hit = new Hit();
     private final double[] box = new double[6];
+    private final double[] start = new double[3], turned = new double[4];
 
     private double[][] scratch = {};
     private int[] dynamic = {};
@@ -367,18 +372,24 @@ final class CentreGuard {
         double from = Math.max(late(part), late(other));
         double mine = since(part, from);
         double its = moves(colliders.body[other]) ? since(other, from) : 0;
-        double wayX = its * wayX(other) - mine * wayX(part);
-        double wayY = its * wayY(other) - mine * wayY(part);
-        double wayZ = its * wayZ(other) - mine * wayZ(part);
-        double x = p.apartX(part, other) - wayX;
-        double y = p.apartY(part, other) - wayY;
-        double z = p.apartZ(part, other) - wayZ;
-        double least = least(part);
-        double square = wayX * wayX + wayY * wayY + wayZ * wayZ;
-        if (!(square > least * least) || turnsAway(part, other, x, y, z)) {
+        double endX = p.apartX(part, other);
+        double endY = p.apartY(part, other);
+        double endZ = p.apartZ(part, other);
+        start[0] = endX - its * wayX(other) + mine * wayX(part);
+        start[1] = endY - its * wayY(other) + mine * wayY(part);
+        start[2] = endZ - its * wayZ(other) + mine * wayZ(part);
+        if (!turn(other, from)) {
             return;
         }
-        place(surface, other, x, y, z);
+        double wayX = endX - start[0];
+        double wayY = endY - start[1];
+        double wayZ = endZ - start[2];
+        double least = least(part);
+        double square = wayX * wayX + wayY * wayY + wayZ * wayZ;
+        if (!(square > least * least)) {
+            return;
+        }
+        place(surface, other, start[0], start[1], start[2]);
         keepBefore(part, other, wayX, wayY, wayZ, Math.sqrt(square));
     }
 
@@ -393,21 +404,42 @@ final class CentreGuard {
     }
 
     /**
-     * Whether a body turns so far about a place in the tick that one that was seen there from it is
-     * seen elsewhere. It is looked at as it lies at the end.
+     * Turns {@link #start} with the other body, which is looked at as it lies at the end.
+     *
+     * @param from share of the tick from which on it turns
+     * @return false if it turns too far for the chord to tell where one was seen from it
      */
-    private boolean turnsAway(int part, int other, double x, double y, double z) {
+    private boolean turn(int other, double from) {
         BodyStore s = colliders.bodies;
         int body = colliders.body[other];
-        if (s.kind[body] != BodyStore.DYNAMIC) {
-            return false;
+        double wx = s.angularVelocityX[body];
+        double wy = s.angularVelocityY[body];
+        double wz = s.angularVelocityZ[body];
+        double spin = length(wx, wy, wz);
+        double seconds = step * (1 - from);
+        if (!moves(body) || spin == 0) {
+            return true;
         }
-        double w =
-                length(
-                        s.angularVelocityX[body],
-                        s.angularVelocityY[body],
-                        s.angularVelocityZ[body]);
-        return step * w * length(x, y, z) > FAST * colliders.innerRadius[part];
+        if (!(seconds * spin < TURN)) {
+            return s.kind[body] != BodyStore.DYNAMIC;
+        }
+        double[] q = turned;
+        if (impacts != null && impacts.lay(body, from, q)) {
+            rotate(-q[0], -q[1], -q[2], q[3]);
+            rotate(
+                    s.orientationX[body],
+                    s.orientationY[body],
+                    s.orientationZ[body],
+                    s.orientationW[body]);
+        } else {
+            Rotations.turn(wx, wy, wz, spin, seconds, q);
+            rotate(q[0], q[1], q[2], q[3]);
+        }
+        return true;
+    }
+
+    private void rotate(double x, double y, double z, double w) {
+        Rotations.rotate(x, y, z, w, start[0], start[1], start[2], start);
     }
 
     private void place(Placement to, int other, double x, double y, double z) {

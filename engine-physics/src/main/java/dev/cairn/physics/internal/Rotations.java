@@ -99,4 +99,21 @@ public final class Rotations {
         out[1] = vy + qw * ty + (qz * tx - qx * tz);
         out[2] = vz + qw * tz + (qx * ty - qy * tx);
     }
+
+    /**
+     * The turn b, and then a: the product a b.
+     *
+     * @param o where b begins
+     * @param out receives x, y, z, w
+     */
+    public static void multiply(double[] a, double[] b, int o, double[] out) {
+        double x = b[o];
+        double y = b[o + 1];
+        double z = b[o + 2];
+        double w = b[o + 3];
+        out[0] = a[3] * x + a[0] * w + a[1] * z - a[2] * y;
+        out[1] = a[3] * y - a[0] * z + a[1] * w + a[2] * x;
+        out[2] = a[3] * z + a[0] * y - a[1] * x + a[2] * w;
+        out[3] = a[3] * w - a[0] * x - a[1] * y - a[2] * z;
+    }
 }

@@ -455,6 +455,7 @@ public final class ImpactStage {
         s.velocityX[body] += dx;
         s.velocityY[body] += dy;
         s.velocityZ[body] += dz;
+        bodies.keep(body, f, w, at + 3);
         state[0] = f.qx;
         state[1] = f.qy;
         state[2] = f.qz;
@@ -478,6 +479,18 @@ public final class ImpactStage {
      */
     public double late(int body) {
         return bodies.count > 0 ? bodies.late[body] : 0;
+    }
+
+    /**
+     * How a body that was struck lay at a share of the tick, not before {@link #late}: into {@code
+     * out}, a unit quaternion, world from body. False for who was not struck.
+     */
+    public boolean lay(int body, double share, double[] out) {
+        double late = late(body);
+        if (late > 0) {
+            bodies.lay(body, (share - late) * step, out);
+        }
+        return late > 0;
     }
 
     /** Puts who must be somewhere, and tells rows what they struck with; after the solve. */

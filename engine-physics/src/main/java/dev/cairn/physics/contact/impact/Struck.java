@@ -3,7 +3,9 @@ package dev.cairn.physics.contact.impact;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.narrowphase.pair.Reach;
+import dev.cairn.physics.sweep.Flight;
 
 import java.util.Arrays;
 
@@ -23,6 +25,11 @@ final class Struck {
 
     /** By body: share of the tick at its last impact. */
     double[] late = {};
+
+    /** By body: orientation and angular velocity at its last impact. */
+    double[] last = {};
+
+    private final double[] turn = new double[4];
 
     /** By body: the first of its rows; by row and side: the next one. */
     int[] head = {}, next = {};
@@ -51,6 +58,7 @@ final class Struck {
             closed = new boolean[impacts.length];
             idle = new int[impacts.length];
             late = new double[impacts.length];
+            last = new double[7 * impacts.length];
             head = new int[impacts.length];
             list = new int[impacts.length];
             marked = new int[impacts.length];
@@ -62,6 +70,30 @@ final class Struck {
         Arrays.fill(idle, 0, slots, 0);
         Arrays.fill(late, 0, slots, 0.0);
         count = 0;
+    }
+
+    /** Keeps how a body lies at an impact, and how it turns after it: {@code w} from {@code at}. */
+    void keep(int body, Flight f, double[] w, int at) {
+        int q = 7 * body;
+        last[q] = f.qx;
+        last[q + 1] = f.qy;
+        last[q + 2] = f.qz;
+        last[q + 3] = f.qw;
+        System.arraycopy(w, at, last, q + 4, 3);
+    }
+
+    /** How a body lies so many seconds after its last impact: a unit quaternion. */
+    void lay(int body, double seconds, double[] out) {
+        int q = 7 * body;
+        double wx = last[q + 4];
+        double wy = last[q + 5];
+        double wz = last[q + 6];
+        double spin = Math.sqrt(wx * wx + wy * wy + wz * wz);
+        System.arraycopy(last, q, out, 0, 4);
+        if (spin > 0 && seconds > 0) {
+            Rotations.turn(wx, wy, wz, spin, seconds, turn);
+            Rotations.multiply(turn, last, q, out);
+        }
     }
 
     void clearMarks() {
