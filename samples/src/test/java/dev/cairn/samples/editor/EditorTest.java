@@ -300,6 +300,10 @@ class EditorTest {
         assertEquals(-2.5, Fields.parse(" -2.5 "));
         assertEquals(null, Fields.parse("1e"));
         assertEquals(null, Fields.parse("NaN"));
+        assertEquals(null, Fields.parse("1e999"));
+        assertEquals(null, Fields.parse(""));
+        assertEquals(null, Fields.parse("1\n2"));
+        assertEquals(null, Fields.parse("9".repeat(100_000)), "beyond what a double holds");
         assertEquals(0xC8553D, Fields.parseRgb("#c8553D"));
         assertEquals(null, Fields.parseRgb("#C8553"));
         assertEquals("0.333333", Fields.text(1.0 / 3));
