@@ -21,7 +21,7 @@ import java.util.Map;
  * The sandbox as a program of its own that tells, one line a frame, what the editor shows, for
  * {@link EditorWindowTest}.
  */
-final class EditorProbe extends Sandbox {
+public final class EditorProbe extends Sandbox {
     private static final List<String> BUTTONS =
             List.of(
                     "box",

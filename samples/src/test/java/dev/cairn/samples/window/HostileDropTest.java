@@ -1,15 +1,14 @@
-package dev.cairn.samples.sandbox;
+package dev.cairn.samples.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.samples.sandbox.EditorProbe;
 import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneWriter;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
-import dev.cairn.samples.window.WindowFixture;
-import dev.cairn.samples.window.WindowManager;
 
 import org.junit.jupiter.api.Test;
 
