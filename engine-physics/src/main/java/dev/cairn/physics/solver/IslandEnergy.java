@@ -35,9 +35,10 @@ import java.util.function.IntPredicate;
  *   v' = u + k (v - u),  w' = W + k (w - W),   u = V + W x (x - X),   k² = 1 - (E - E0)/(E - Eu)
  * </pre>
  *
- * with its energy Eu: the rest has no momentum and no angular momentum, so both stay. The sums run
- * over slots, so they depend on the island alone. What is at rest, slides or falls loses energy, by
- * what gravity adds in a sub-step, and is left as it is.
+ * with its energy Eu: the rest has no momentum and no angular momentum, so both stay. Where that is
+ * not enough, as with a body alone, W is zero, and energy goes before angular momentum. The sums
+ * run over slots, so they depend on the island alone. What is at rest, slides or falls loses
+ * energy, by what gravity adds in a sub-step, and is left as it is.
  *
  * <p>Only islands of which a body turns when the tick begins, or moves far, and one turns by more
  * than 0.05 rad in the sub-step: what a column that lands gains in one sub-step, since one sweep
@@ -347,9 +348,15 @@ final class IslandEnergy {
         double wx = by * ((d * f - e * e) * lx + (c * e - b * f) * ly + (b * e - c * d) * lz);
         double wy = by * ((c * e - b * f) * lx + (a * f - c * c) * ly + (b * c - a * e) * lz);
         double wz = by * ((b * e - c * d) * lx + (b * c - a * e) * ly + (a * d - b * b) * lz);
-        double solid = one * (px * px + py * py + pz * pz) + (wx * lx + wy * ly + wz * lz);
-        double own = sums[at + NOW] - solid;
+        double flight = one * (px * px + py * py + pz * pz);
+        double spin = wx * lx + wy * ly + wz * lz;
         double excess = sums[at + NOW] - sums[at + FREE];
+        double own = sums[at + NOW] - flight - spin;
+        if (!(own > excess)) {
+            // a lone body, whose turning itself has gained
+            own += spin;
+            wx = wy = wz = 0;
+        }
         sums[at + SHARE] = own > 0 ? Math.sqrt(Math.max(0, 1 - excess / own)) : 1;
         sums[at + CENTRE] = x;
         sums[at + CENTRE + 1] = y;
