@@ -42,7 +42,7 @@ public final class BoundsStage {
     private static final int BOX = 6;
 
     /** Numbers of a pose. */
-    private static final int POSE = 7;
+    static final int POSE = 7;
 
     /**
      * Of each collider, one after the other: velocity at the end of the tick if nothing is in the
@@ -62,7 +62,7 @@ public final class BoundsStage {
      * numbers. Its contacts have been computed from these; a state holds them so that deltas can
      * foresee points.
      */
-    private double[] began = {};
+    double[] began = {};
 
     private byte[] state = {};
     private double[] box = {};

@@ -424,17 +424,21 @@ final class CentreGuard {
             return s.kind[body] != BodyStore.DYNAMIC;
         }
         double[] q = turned;
-        if (impacts != null && impacts.lay(body, from, q)) {
-            rotate(-q[0], -q[1], -q[2], q[3]);
-            rotate(
-                    s.orientationX[body],
-                    s.orientationY[body],
-                    s.orientationZ[body],
-                    s.orientationW[body]);
-        } else {
-            Rotations.turn(wx, wy, wz, spin, seconds, q);
-            rotate(q[0], q[1], q[2], q[3]);
+        if (impacts == null || !impacts.lay(body, from, q)) {
+            // of bodies of several shapes nothing was kept
+            if (from > 0 || s.collider[body] != body) {
+                Rotations.turn(wx, wy, wz, spin, seconds, q);
+                rotate(q[0], q[1], q[2], q[3]);
+                return true;
+            }
+            System.arraycopy(bounds.began, BoundsStage.POSE * body + 3, q, 0, 4);
         }
+        rotate(-q[0], -q[1], -q[2], q[3]);
+        rotate(
+                s.orientationX[body],
+                s.orientationY[body],
+                s.orientationZ[body],
+                s.orientationW[body]);
         return true;
     }
 

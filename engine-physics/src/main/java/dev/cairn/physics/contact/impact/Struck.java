@@ -90,7 +90,8 @@ final class Struck {
         double wz = last[q + 6];
         double spin = Math.sqrt(wx * wx + wy * wy + wz * wz);
         System.arraycopy(last, q, out, 0, 4);
-        if (spin > 0 && seconds > 0) {
+        // who is closed ends the tick as he lay
+        if (spin > 0 && seconds > 0 && !closed[body]) {
             Rotations.turn(wx, wy, wz, spin, seconds, turn);
             Rotations.multiply(turn, last, q, out);
         }
