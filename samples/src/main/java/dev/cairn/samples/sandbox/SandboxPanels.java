@@ -56,14 +56,15 @@ final class SandboxPanels {
     private long pressedNanos;
     private long pressedFrame;
     private boolean pulling;
+    private final Readings readings = new Readings();
     private volatile boolean hidden;
 
     SandboxPanels(Sandbox sandbox, List<SampleScene> scenes) {
         this.sandbox = sandbox;
         this.scenes = scenes;
         this.thumbnails = Thumbnails.of(scenes);
-        this.simulation = new SimulationPanel(sandbox);
-        this.time = new TimePanel(sandbox);
+        this.simulation = new SimulationPanel(sandbox, readings);
+        this.time = new TimePanel(sandbox, readings);
         for (SampleScene scene : scenes) {
             if (!groups.contains(scene.group())) {
                 groups.add(scene.group());
@@ -96,6 +97,7 @@ final class SandboxPanels {
         if (hidden) {
             return;
         }
+        read(view, state);
         if (state.scene != shownScene) {
             shownScene = state.scene;
             asked.clear();
@@ -113,10 +115,15 @@ final class SandboxPanels {
         time.draw(ui, state);
     }
 
+    private void read(View view, SandboxState state) {
+        readings.read(state, view.framesPerSecond(), sandbox.isPaused(), System.nanoTime());
+    }
+
     /** The part that goes with an edited scene that runs. */
     void drawPlaying(Ui ui, View view, SandboxState state) {
         hand(view, state);
         time.ghosts(view, state);
+        read(view, state);
         time.draw(ui, state);
         double above = Places.isNarrow(ui) ? EditorPanels.PLAYING_HEIGHT + GAP : 0;
         simulation.draw(ui, view, state, GAP + above, true);

@@ -33,6 +33,7 @@ final class SimulationPanel {
     }
 
     private final Sandbox sandbox;
+    private final Readings now;
     private final KeyRows keys;
     private final TextBuffer text = new TextBuffer();
     private int askedWorkers;
@@ -40,21 +41,22 @@ final class SimulationPanel {
     private int knownWorkers;
     private int knownSubsteps;
 
-    SimulationPanel(Sandbox sandbox) {
+    SimulationPanel(Sandbox sandbox, Readings now) {
         this.sandbox = sandbox;
+        this.now = now;
         this.keys = new KeyRows(sandbox);
     }
 
     void draw(Ui ui, View view, SandboxState state, double top, boolean edited) {
         double height = ui.height() - Places.GAP - top;
         if (ui.panel("Simulation", Places.right(ui), top, Places.WIDTH, height)) {
-            controls(ui, view, state);
+            controls(ui);
             if (ui.section("Plots", false)) {
-                plots(ui, state.history);
+                plots(ui, now.history);
                 ui.endSection();
             }
             if (ui.section("Stages of a tick", false)) {
-                stages(ui, state.history);
+                stages(ui, now.history);
                 ui.endSection();
             }
             if (ui.section("Draw", false)) {
@@ -83,7 +85,7 @@ final class SimulationPanel {
         ui.endPanel();
     }
 
-    private void controls(Ui ui, View view, SandboxState state) {
+    private void controls(Ui ui) {
         ui.columns(3);
         if (ui.button(sandbox.isPaused() ? "Play" : "Pause")) {
             sandbox.togglePause();
@@ -103,11 +105,11 @@ final class SimulationPanel {
         if (ui.button("Faster (])")) {
             sandbox.timeScale(Math.min(FASTEST, sandbox.timeScale() * 2));
         }
-        ui.value("time", text.clear().put(state.seconds, 2).put(" s, tick ").put(state.tick));
+        ui.value("time", text.clear().put(now.seconds, 2).put(" s, tick ").put(now.tick));
         ui.value(
                 "bodies, contacts",
-                text.clear().put(state.bodies).put(", ").put(state.history.touching));
-        ui.value("frames/s", text.clear().put(view.framesPerSecond(), 0));
+                text.clear().put(now.bodies).put(", ").put(now.history.touching));
+        ui.value("frames/s", text.clear().put(now.framesPerSecond, 0));
     }
 
     private void plots(Ui ui, PlotHistory h) {
@@ -249,15 +251,15 @@ final class SimulationPanel {
             text.putDigits(state.heldMass, 4).put(" kg");
         }
         ui.value("mass", text);
-        ui.value("speed", text.clear().put(state.heldSpeed, 3).put(" m/s"));
+        ui.value("speed", text.clear().put(now.heldSpeed, 3).put(" m/s"));
         ui.value(
                 "at",
                 text.clear()
-                        .put(state.heldAt.x, 2)
+                        .put(now.heldAt.x, 2)
                         .put(", ")
-                        .put(state.heldAt.y, 2)
+                        .put(now.heldAt.y, 2)
                         .put(", ")
-                        .put(state.heldAt.z, 2)
+                        .put(now.heldAt.z, 2)
                         .put(" m"));
     }
 }

@@ -22,14 +22,16 @@ final class TimePanel {
     private static final double KEPT_HEIGHT = 172;
 
     private final Sandbox sandbox;
+    private final Readings now;
     private final TextBuffer text = new TextBuffer();
     private int columns = 3;
     private boolean holding;
     private boolean goesOn;
     private long asked = -1;
 
-    TimePanel(Sandbox sandbox) {
+    TimePanel(Sandbox sandbox, Readings now) {
         this.sandbox = sandbox;
+        this.now = now;
     }
 
     /** Draws the other future's bodies; also where panels are hidden. */
@@ -48,20 +50,20 @@ final class TimePanel {
         double height = (state.keptTick < 0 ? HEIGHT : KEPT_HEIGHT) + (3 - columns) * ROW;
         double left = narrow ? SIDE : (ui.width() - width) / 2;
         if (ui.panel("Time", left, ui.height() - height - GAP, width, height)) {
-            bar(ui, state);
+            bar(ui);
             buttons(ui, state);
         }
         ui.endPanel();
     }
 
-    private void bar(Ui ui, SandboxState state) {
-        double shown = holding && asked >= 0 ? asked : state.tick;
+    private void bar(Ui ui) {
+        double shown = holding && asked >= 0 ? asked : now.tick;
         double moved =
                 ui.slider(
                         BAR,
                         shown,
-                        (double) state.oldestTick,
-                        (double) state.newestTick,
+                        (double) now.oldestTick,
+                        (double) now.newestTick,
                         1,
                         "drag to go back; let go, and it goes on from there");
         boolean held = ui.isHeld(BAR);

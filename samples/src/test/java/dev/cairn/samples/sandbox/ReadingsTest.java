@@ -13,8 +13,56 @@ import org.junit.jupiter.api.Test;
 
 import java.util.Set;
 
-/** What the panel shows of a tick, without a window. */
-class PlotHistoryTest {
+/**
+ * What the panels show of a tick, without a window: numbers that run can be read, and one that has
+ * come to rest is the true one.
+ */
+class ReadingsTest {
+    private static final long FRAME_NANOS = 16_666_667;
+
+    private final Readings readings = new Readings();
+    private final SandboxState state = new SandboxState();
+    private long nanos;
+
+    private void frame(boolean stands) {
+        nanos += FRAME_NANOS;
+        readings.read(state, 60, stands, nanos);
+    }
+
+    @Test
+    void tenTimesASecondWhileItRuns() {
+        frame(false);
+        int changes = 0;
+        for (int i = 0; i < 600; i++) {
+            long before = readings.tick;
+            state.tick++;
+            frame(false);
+            changes += readings.tick == before ? 0 : 1;
+            assertTrue(state.tick - readings.tick <= 6, "never older than a tenth of a second");
+        }
+        assertEquals(100, changes, "in ten seconds");
+    }
+
+    @Test
+    void atOnceWhereItStandsGoesBackOrIsAnother() {
+        state.tick = 7;
+        frame(false);
+        state.tick = 8;
+        frame(true);
+        assertEquals(8, readings.tick, "it stands");
+        state.tick = 3;
+        frame(false);
+        assertEquals(3, readings.tick, "it went back");
+        state.scene = 2;
+        state.tick = 4;
+        frame(false);
+        assertEquals(4, readings.tick, "another scene");
+        state.held = "a ball";
+        state.heldSpeed = 5;
+        frame(false);
+        assertEquals(5, readings.heldSpeed, "another body is held");
+    }
+
     @Test
     void eachSystemOfTheWorldHasItsTime() {
         SampleScene scene = SceneRegistry.get("buoyancy");
