@@ -134,9 +134,10 @@ final class CentreGuard {
         halt.tie(dynamic, dynamicCount);
         composeDriven();
         jobs.run(rowsJob, rowBlocks);
-        for (int b = 0; b < rowBlocks; b++) {
-            if (rowCount[b] > 0) {
-                guardRows(b, state, isHooked);
+        for (int k = 0; k < 2 * rowBlocks; k++) {
+            boolean last = k >= rowBlocks;
+            if (rowCount[k % rowBlocks] > 0 || (last && halt.any())) {
+                guardRows(k % rowBlocks, state, isHooked, last);
             }
         }
         if (isHooked) {
@@ -262,16 +263,25 @@ final class CentreGuard {
         return isFastMover(contacts.bodyA[row]) || isFastMover(contacts.bodyB[row]);
     }
 
-    private boolean isFastMover(int body) {
-        return colliders.bodies.kind[body] == BodyStore.DYNAMIC && fast[body];
+    private boolean isDynamic(int body) {
+        return colliders.bodies.kind[body] == BodyStore.DYNAMIC;
     }
 
-    private void guardRows(int block, byte[] state, boolean isHooked) {
+    private boolean isFastMover(int body) {
+        return isDynamic(body) && (fast[body] || halt.hasMoved(body));
+    }
+
+    /**
+     * Rows of two bodies that answer come first, those with what does not answer last: who is put
+     * back from the one is not left in the other.
+     */
+    private void guardRows(int block, byte[] state, boolean isHooked, boolean last) {
         ContactStore c = contacts;
         int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = c.active[i];
-            if (!looksAt(row) || (isHooked && !c.isSolved(row))) {
+            boolean answers = isDynamic(c.bodyA[row]) && isDynamic(c.bodyB[row]);
+            if (answers == last || !looksAt(row) || (isHooked && !c.isSolved(row))) {
                 continue;
             }
             boolean isSeen = state[i] != SweepStage.HARMLESS;
@@ -283,7 +293,7 @@ final class CentreGuard {
     /** Looks at the way of one collider of a row as seen from the other one. */
     private void guardRow(int part, int other, boolean isSeen, boolean isHooked) {
         int body = colliders.body[part];
-        if (colliders.bodies.kind[body] != BodyStore.DYNAMIC
+        if (!isDynamic(body)
                 || !(halt.isLoose(body) || isSeen)
                 // its whole has a row; a hook sees those of parts
                 || (!isHooked && colliders.isPart(part))) {
@@ -308,13 +318,13 @@ final class CentreGuard {
 
     private boolean isInBox(int slot, double[] fat) {
         Poses p = colliders.poses;
-        int at = 6 * slot;
-        return fat[at] <= p.positionX[slot]
-                && fat[at + 1] <= p.positionY[slot]
-                && fat[at + 2] <= p.positionZ[slot]
-                && p.positionX[slot] <= fat[at + 3]
-                && p.positionY[slot] <= fat[at + 4]
-                && p.positionZ[slot] <= fat[at + 5];
+        return isBetween(fat, 6 * slot, p.positionX[slot])
+                && isBetween(fat, 6 * slot + 1, p.positionY[slot])
+                && isBetween(fat, 6 * slot + 2, p.positionZ[slot]);
+    }
+
+    private static boolean isBetween(double[] fat, int low, double centre) {
+        return fat[low] <= centre && centre <= fat[low + 3];
     }
 
     private void follow(int slot, BroadPhase broadPhase) {
@@ -386,11 +396,18 @@ final class CentreGuard {
         double wayZ = endZ - start[2];
         double least = least(part);
         double square = wayX * wayX + wayY * wayY + wayZ * wayZ;
-        if (!(square > least * least)) {
-            return;
+        if (square > least * least) {
+            surface.setCentre(
+                    colliders.shape[other],
+                    start[0],
+                    start[1],
+                    start[2],
+                    p.orientationX[other],
+                    p.orientationY[other],
+                    p.orientationZ[other],
+                    p.orientationW[other]);
+            keepBefore(part, other, wayX, wayY, wayZ, Math.sqrt(square));
         }
-        place(surface, other, start[0], start[1], start[2]);
-        keepBefore(part, other, wayX, wayY, wayZ, Math.sqrt(square));
     }
 
     /** The share of a collider's way that it goes from a share of the tick on. */
@@ -444,19 +461,6 @@ final class CentreGuard {
 
     private void rotate(double x, double y, double z, double w) {
         Rotations.rotate(x, y, z, w, start[0], start[1], start[2], start);
-    }
-
-    private void place(Placement to, int other, double x, double y, double z) {
-        Poses p = colliders.poses;
-        to.setCentre(
-                colliders.shape[other],
-                x,
-                y,
-                z,
-                p.orientationX[other],
-                p.orientationY[other],
-                p.orientationZ[other],
-                p.orientationW[other]);
     }
 
     /**

@@ -33,6 +33,11 @@ public final class Halt {
     /** By body slot: it hangs on joints; by root of what hangs together: on what does not move. */
     private boolean[] tied = {}, held = {};
 
+    /** By body slot: it was put back in this tick. */
+    private boolean[] moved = {};
+
+    private boolean any;
+
     /** Who hangs together by joints. */
     private final Islands ties = new Islands();
 
@@ -63,11 +68,14 @@ public final class Halt {
         if (tied.length < colliders.slotCount) {
             tied = new boolean[colliders.poses.positionX.length];
             held = new boolean[tied.length];
+            moved = new boolean[tied.length];
             ties.ensureSlots(tied.length);
         }
         int slots = colliders.bodies.slotCount;
         Arrays.fill(tied, 0, slots, false);
         Arrays.fill(held, 0, slots, false);
+        Arrays.fill(moved, 0, slots, false);
+        any = false;
         ties.begin(dynamic, dynamicCount);
         byte[] kind = colliders.bodies.kind;
         for (int pass = 0; pass < 2; pass++) {
@@ -102,6 +110,16 @@ public final class Halt {
      */
     public boolean isLoose(int body) {
         return !tied[body] || !held[ties.root(body)];
+    }
+
+    /** Whether a body was put back in this tick. */
+    public boolean hasMoved(int body) {
+        return moved[body];
+    }
+
+    /** Whether any was. */
+    public boolean any() {
+        return any;
     }
 
     /**
@@ -170,6 +188,8 @@ public final class Halt {
     }
 
     private void moveOne(int body, double x, double y, double z) {
+        moved[body] = true;
+        any = true;
         colliders.bodies.move(body, x, y, z);
         // what was not moved in this tick lies where it lay, and so do its parts
         colliders.compose(body, own);
