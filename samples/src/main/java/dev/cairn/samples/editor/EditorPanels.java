@@ -394,13 +394,13 @@ public final class EditorPanels {
         if (ui.button("Load")) {
             editor.files().load(fileName);
         }
+        ui.columns(3);
         if (ui.button("Open...")) {
             chooser.open("Open a scene", editor.files().folder(), ".json");
         }
         if (ui.button("Save as...")) {
             chooser.save("Save the scene", editor.files().folder(), ".json", shortName());
         }
-        ui.columns(1);
         if (ui.button("Keep view")) {
             keepView(view.camera());
         }
