@@ -48,7 +48,7 @@ final class WhirlingTest {
 
     /**
      * A stick that tumbles by up to 10 rad a tick is struck by a ball, until the end of that tick:
-     * momenta are kept to rounding, with and without friction, in the tick of their first hit; energy does
+     * momenta are kept to rounding, with and without friction, however often they meet; energy does
      * not rise, and where they bounce without loss it is what it was. Who does not bounce stays in
      * touch in one round of fifteen, and is the solver's, with a point on each body.
      */
