@@ -17,6 +17,8 @@ import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Matrix3dc;
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -31,6 +33,7 @@ import java.lang.invoke.MethodHandle;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Box3D by {@code java.lang.foreign}, from the shared library that the system property {@value
@@ -54,6 +57,11 @@ final class Box3dPeer implements Peer {
     private static final MemoryLayout WORLD_DEF = structLayout(sequenceLayout(18, JAVA_LONG));
     private static final MemoryLayout BODY_DEF = structLayout(sequenceLayout(13, JAVA_LONG));
     private static final MemoryLayout SHAPE_DEF = structLayout(sequenceLayout(15, JAVA_LONG));
+    private static final Map<Link.Kind, MemoryLayout> JOINT_DEF =
+            Map.of(
+                    Link.Kind.BALL, structLayout(sequenceLayout(23, JAVA_LONG)),
+                    Link.Kind.HINGE, structLayout(sequenceLayout(19, JAVA_LONG)),
+                    Link.Kind.ROD, structLayout(sequenceLayout(20, JAVA_LONG)));
     private static final int MOST_HULL_VERTICES = 255;
 
     private final Arena arena = Arena.ofConfined();
@@ -101,6 +109,7 @@ final class Box3dPeer implements Peer {
         for (int i = 0; i < bodies.length; i++) {
             bodies[i] = builder.add(scene.bodies().get(i));
         }
+        scene.links().forEach(this::join);
     }
 
     @SuppressWarnings("restricted") // the point of this class; the JVM is started with permission
@@ -165,6 +174,43 @@ final class Box3dPeer implements Peer {
         return (int) call(create, definition);
     }
 
+    /**
+     * Its hinges turn about z, ours about x: its joint frames are turned by a third about (1, 1,
+     * 1).
+     */
+    private void join(Link link) {
+        String kind =
+                switch (link.kind()) {
+                    case BALL -> "Spherical";
+                    case HINGE -> "Revolute";
+                    case ROD -> "Distance";
+                };
+        MemorySegment definition =
+                defaults("b3Default%sJointDef".formatted(kind), JOINT_DEF.get(link.kind()));
+        definition.set(JAVA_LONG, 8, bodies[link.a()]);
+        definition.set(JAVA_LONG, 16, bodies[link.b()]);
+        Quaterniond theirs = new Quaterniond(0.5, 0.5, 0.5, 0.5);
+        frame(definition, 24, link.anchorA(), link.frameA().mul(theirs, new Quaterniond()));
+        frame(definition, 52, link.anchorB(), link.frameB().mul(theirs, new Quaterniond()));
+        if (link.kind() == Link.Kind.ROD) {
+            definition.set(JAVA_FLOAT, 112, (float) link.length());
+        }
+        call(
+                find(
+                        "b3Create%sJoint".formatted(kind),
+                        FunctionDescriptor.of(JAVA_LONG, WORLD_ID, ADDRESS)),
+                world,
+                definition);
+    }
+
+    private static void frame(MemorySegment to, long offset, Vector3dc at, Quaterniondc turned) {
+        vector(to, offset, at);
+        to.set(JAVA_FLOAT, offset + 12, (float) turned.x());
+        to.set(JAVA_FLOAT, offset + 16, (float) turned.y());
+        to.set(JAVA_FLOAT, offset + 20, (float) turned.z());
+        to.set(JAVA_FLOAT, offset + 24, (float) turned.w());
+    }
+
     private MemorySegment defaults(String name, MemoryLayout layout) {
         return (MemorySegment)
                 call(find(name, FunctionDescriptor.of(layout)), (SegmentAllocator) arena);
@@ -208,11 +254,7 @@ final class Box3dPeer implements Peer {
         long add(SceneDescription.Solid solid) {
             MemorySegment definition = defaults("b3DefaultBodyDef", BODY_DEF);
             definition.set(JAVA_INT, 0, solid.fixed() ? 0 : 2);
-            vector(definition, 4, solid.centre());
-            definition.set(JAVA_FLOAT, 16, (float) solid.rotation().x());
-            definition.set(JAVA_FLOAT, 20, (float) solid.rotation().y());
-            definition.set(JAVA_FLOAT, 24, (float) solid.rotation().z());
-            definition.set(JAVA_FLOAT, 28, (float) solid.rotation().w());
+            frame(definition, 4, solid.centre(), solid.rotation());
             vector(definition, 32, solid.velocity());
             vector(definition, 44, solid.angularVelocity());
             definition.set(JAVA_BYTE, 94, (byte) 0); // enableSleep

@@ -12,6 +12,10 @@ import com.jme3.bullet.collision.shapes.HullCollisionShape;
 import com.jme3.bullet.collision.shapes.MeshCollisionShape;
 import com.jme3.bullet.collision.shapes.SphereCollisionShape;
 import com.jme3.bullet.collision.shapes.infos.IndexedMesh;
+import com.jme3.bullet.joints.Constraint;
+import com.jme3.bullet.joints.HingeJoint;
+import com.jme3.bullet.joints.PhysicsJoint;
+import com.jme3.bullet.joints.Point2PointJoint;
 import com.jme3.bullet.objects.PhysicsRigidBody;
 import com.jme3.bullet.util.NativeLibrary;
 import com.jme3.math.Quaternion;
@@ -77,6 +81,23 @@ final class BulletPeer implements Peer {
         for (SceneDescription.Solid solid : scene.bodies()) {
             add(solid, common);
         }
+        scene.links().forEach(this::join);
+    }
+
+    private void join(Link link) {
+        PhysicsRigidBody a = bodies.get(link.a());
+        PhysicsRigidBody b = bodies.get(link.b());
+        Vector3f p = vector(link.anchorA());
+        Vector3f q = vector(link.anchorB());
+        Constraint joint =
+                switch (link.kind()) {
+                    case BALL -> new Point2PointJoint(a, b, p, q);
+                    case HINGE ->
+                            new HingeJoint(a, b, p, q, vector(link.axisA()), vector(link.axisB()));
+                    case ROD -> throw new IllegalArgumentException("Bullet: it has no rods");
+                };
+        joint.setCollisionBetweenLinkedBodies(false);
+        space.addJoint(joint);
     }
 
     static void prepare() {
@@ -269,6 +290,9 @@ final class BulletPeer implements Peer {
 
     @Override
     public void close() {
+        for (PhysicsJoint joint : space.getJointList()) {
+            space.removeJoint(joint);
+        }
         for (PhysicsRigidBody body : bodies) {
             space.removeCollisionObject(body);
         }

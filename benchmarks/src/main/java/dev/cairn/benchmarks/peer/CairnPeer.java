@@ -6,6 +6,7 @@ import dev.cairn.physics.Contacts;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.joint.Joint;
 import dev.cairn.physics.tuning.Precision;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
@@ -52,6 +53,21 @@ final class CairnPeer implements Peer {
             }
             bodies.add(world.add(body));
         }
+        scene.links().forEach(this::join);
+    }
+
+    private void join(Link link) {
+        BodyRef a = bodies.get(link.a());
+        BodyRef b = bodies.get(link.b());
+        Joint joint =
+                switch (link.kind()) {
+                    case BALL -> Joint.ball(a, b);
+                    case HINGE -> Joint.hinge(a, b);
+                    case ROD -> Joint.rod(a, b).length(link.length());
+                };
+        Vector3d p = link.startA(scene);
+        Vector3d q = link.startB(scene);
+        world.add(joint.anchors(p.x, p.y, p.z, q.x, q.y, q.z).axis(link.startAxis(scene)));
     }
 
     @Override

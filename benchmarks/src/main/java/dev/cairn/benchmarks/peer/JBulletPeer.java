@@ -16,7 +16,10 @@ import com.bulletphysics.dynamics.DiscreteDynamicsWorld;
 import com.bulletphysics.dynamics.RigidBody;
 import com.bulletphysics.dynamics.RigidBodyConstructionInfo;
 import com.bulletphysics.dynamics.constraintsolver.ContactSolverInfo;
+import com.bulletphysics.dynamics.constraintsolver.HingeConstraint;
+import com.bulletphysics.dynamics.constraintsolver.Point2PointConstraint;
 import com.bulletphysics.dynamics.constraintsolver.SequentialImpulseConstraintSolver;
+import com.bulletphysics.dynamics.constraintsolver.TypedConstraint;
 import com.bulletphysics.linearmath.DefaultMotionState;
 import com.bulletphysics.linearmath.Transform;
 import com.bulletphysics.util.ObjectArrayList;
@@ -80,6 +83,23 @@ final class JBulletPeer implements Peer {
         for (SceneDescription.Solid solid : scene.bodies()) {
             add(solid, common);
         }
+        scene.links().forEach(this::join);
+    }
+
+    private void join(Link link) {
+        RigidBody a = bodies.get(link.a());
+        RigidBody b = bodies.get(link.b());
+        Vector3f p = vector(link.anchorA());
+        Vector3f q = vector(link.anchorB());
+        TypedConstraint joint =
+                switch (link.kind()) {
+                    case BALL -> new Point2PointConstraint(a, b, p, q);
+                    case HINGE ->
+                            new HingeConstraint(
+                                    a, b, p, q, vector(link.axisA()), vector(link.axisB()));
+                    case ROD -> throw new IllegalArgumentException("JBullet: it has no rods");
+                };
+        world.addConstraint(joint, true);
     }
 
     private void add(SceneDescription.Solid solid, double commonRestitution) {

@@ -4,10 +4,14 @@ import com.github.stephengold.joltjni.BodyCreationSettings;
 import com.github.stephengold.joltjni.BodyInterface;
 import com.github.stephengold.joltjni.BoxShape;
 import com.github.stephengold.joltjni.CapsuleShape;
+import com.github.stephengold.joltjni.CollisionGroup;
 import com.github.stephengold.joltjni.ConvexHullShapeSettings;
 import com.github.stephengold.joltjni.CustomContactListener;
 import com.github.stephengold.joltjni.CylinderShape;
+import com.github.stephengold.joltjni.DistanceConstraintSettings;
 import com.github.stephengold.joltjni.Float3;
+import com.github.stephengold.joltjni.GroupFilterTable;
+import com.github.stephengold.joltjni.HingeConstraintSettings;
 import com.github.stephengold.joltjni.IndexedTriangle;
 import com.github.stephengold.joltjni.JobSystem;
 import com.github.stephengold.joltjni.JobSystemSingleThreaded;
@@ -21,6 +25,7 @@ import com.github.stephengold.joltjni.ObjVsBpFilter;
 import com.github.stephengold.joltjni.ObjVsObjFilter;
 import com.github.stephengold.joltjni.PhysicsSettings;
 import com.github.stephengold.joltjni.PhysicsSystem;
+import com.github.stephengold.joltjni.PointConstraintSettings;
 import com.github.stephengold.joltjni.Quat;
 import com.github.stephengold.joltjni.RVec3;
 import com.github.stephengold.joltjni.ShapeResult;
@@ -28,8 +33,11 @@ import com.github.stephengold.joltjni.ShapeSettings;
 import com.github.stephengold.joltjni.SphereShape;
 import com.github.stephengold.joltjni.TempAllocator;
 import com.github.stephengold.joltjni.TempAllocatorImplWithMallocFallback;
+import com.github.stephengold.joltjni.TwoBodyConstraint;
+import com.github.stephengold.joltjni.TwoBodyConstraintSettings;
 import com.github.stephengold.joltjni.Vec3;
 import com.github.stephengold.joltjni.enumerate.EActivation;
+import com.github.stephengold.joltjni.enumerate.EConstraintSpace;
 import com.github.stephengold.joltjni.enumerate.EMotionType;
 import com.github.stephengold.joltjni.enumerate.EOverrideMassProperties;
 import com.github.stephengold.joltjni.enumerate.ValidateResult;
@@ -111,14 +119,75 @@ final class JoltPeer implements Peer {
         system.setPhysicsSettings(tuned);
         interfaceOfBodies = system.getBodyInterface();
         ids = new int[count];
+        GroupFilterTable filter = filter(scene);
         for (int i = 0; i < count; i++) {
-            ids[i] = add(scene.bodies().get(i));
+            ids[i] =
+                    add(
+                            scene.bodies().get(i),
+                            filter == null ? null : new CollisionGroup(filter, 0, i));
         }
+        scene.links().forEach(this::join);
         system.optimizeBroadPhase();
         counter = settings.counting() && settings.workers() == 1 ? new Counter() : null;
         if (counter != null) {
             system.setContactListener(counter);
         }
+    }
+
+    /** Keeps bodies with a joint between them from colliding. */
+    private static @Nullable GroupFilterTable filter(SceneDescription scene) {
+        if (scene.links().isEmpty()) {
+            return null;
+        }
+        GroupFilterTable table = new GroupFilterTable(scene.bodies().size());
+        for (Link link : scene.links()) {
+            table.disableCollision(link.a(), link.b());
+        }
+        return table;
+    }
+
+    private void join(Link link) {
+        Vec3 x = vector(link.axisA());
+        RVec3 p = place(link.anchorA());
+        RVec3 q = place(link.anchorB());
+        TwoBodyConstraintSettings recipe =
+                switch (link.kind()) {
+                    case BALL -> {
+                        PointConstraintSettings ball = new PointConstraintSettings();
+                        ball.setSpace(EConstraintSpace.LocalToBodyCOM);
+                        ball.setPoint1(p);
+                        ball.setPoint2(q);
+                        yield ball;
+                    }
+                    case HINGE -> {
+                        HingeConstraintSettings hinge = new HingeConstraintSettings();
+                        hinge.setSpace(EConstraintSpace.LocalToBodyCOM);
+                        hinge.setPoint1(p);
+                        hinge.setPoint2(q);
+                        hinge.setHingeAxis1(x);
+                        hinge.setHingeAxis2(vector(link.axisB()));
+                        hinge.setNormalAxis1(vector(link.normalA()));
+                        hinge.setNormalAxis2(vector(link.normalB()));
+                        yield hinge;
+                    }
+                    case ROD -> {
+                        DistanceConstraintSettings rod = new DistanceConstraintSettings();
+                        rod.setSpace(EConstraintSpace.LocalToBodyCOM);
+                        rod.setPoint1(p);
+                        rod.setPoint2(q);
+                        rod.setMinDistance((float) link.length());
+                        rod.setMaxDistance((float) link.length());
+                        yield rod;
+                    }
+                };
+        TwoBodyConstraint joint =
+                interfaceOfBodies.createConstraint(recipe, ids[link.a()], ids[link.b()]);
+        system.addConstraint(joint);
+        kept.add(joint);
+    }
+
+    private static RVec3 place(Vector3dc v) {
+        return new RVec3(v.x(), v.y(), v.z());
     }
 
     static void prepare() {
@@ -142,7 +211,7 @@ final class JoltPeer implements Peer {
         ready = true;
     }
 
-    private int add(SceneDescription.Solid solid) {
+    private int add(SceneDescription.Solid solid, @Nullable CollisionGroup group) {
         ConstShape shape =
                 switch (solid.shape()) {
                     case Box box -> box(box);
@@ -170,6 +239,9 @@ final class JoltPeer implements Peer {
                         solid.fixed() ? EMotionType.Static : EMotionType.Dynamic,
                         LAYER);
         kept.add(shape);
+        if (group != null) {
+            body.setCollisionGroup(group);
+        }
         body.setFriction((float) solid.friction());
         body.setRestitution((float) solid.restitution());
         body.setAllowSleeping(false);

@@ -14,10 +14,13 @@ import org.joml.Vector3d;
 import org.ode4j.math.DQuaternion;
 import org.ode4j.math.DQuaternionC;
 import org.ode4j.math.DVector3C;
+import org.ode4j.ode.DBallJoint;
 import org.ode4j.ode.DBody;
 import org.ode4j.ode.DContact;
 import org.ode4j.ode.DContactBuffer;
+import org.ode4j.ode.DDoubleBallJoint;
 import org.ode4j.ode.DGeom;
+import org.ode4j.ode.DHingeJoint;
 import org.ode4j.ode.DJointGroup;
 import org.ode4j.ode.DMass;
 import org.ode4j.ode.DSpace;
@@ -27,7 +30,9 @@ import org.ode4j.ode.OdeConstants;
 import org.ode4j.ode.OdeHelper;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** ode4j: contacts are made in a callback, as its manual shows, and solved by quickStep. */
 final class OdePeer implements Peer {
@@ -48,6 +53,10 @@ final class OdePeer implements Peer {
     private final DJointGroup joints;
     private final SceneDescription scene;
     private final List<DGeom> geoms = new ArrayList<>();
+
+    /** Bodies with a joint between them, which do not collide. */
+    private final Set<Long> linked = new HashSet<>();
+
     private final DContactBuffer buffer = new DContactBuffer(MAX_POINTS);
     private int pairs;
     private int points;
@@ -70,6 +79,40 @@ final class OdePeer implements Peer {
         for (int i = 0; i < scene.bodies().size(); i++) {
             add(scene.bodies().get(i), i);
         }
+        scene.links().forEach(this::join);
+    }
+
+    private void join(Link link) {
+        DBody a = geoms.get(link.a()).getBody();
+        DBody b = geoms.get(link.b()).getBody();
+        Vector3d p = link.startA(scene);
+        Vector3d q = link.startB(scene);
+        switch (link.kind()) {
+            case BALL -> {
+                DBallJoint joint = OdeHelper.createBallJoint(world);
+                joint.attach(a, b);
+                joint.setAnchor(p.x, p.y, p.z);
+            }
+            case HINGE -> {
+                Vector3d axis = link.startAxis(scene);
+                DHingeJoint joint = OdeHelper.createHingeJoint(world);
+                joint.attach(a, b);
+                joint.setAnchor(p.x, p.y, p.z);
+                joint.setAxis(axis.x, axis.y, axis.z);
+            }
+            case ROD -> {
+                DDoubleBallJoint joint = OdeHelper.createDBallJoint(world);
+                joint.attach(a, b);
+                joint.setAnchor1(p.x, p.y, p.z);
+                joint.setAnchor2(q.x, q.y, q.z);
+                joint.setDistance(link.length());
+            }
+        }
+        linked.add(pair(link.a(), link.b()));
+    }
+
+    private static long pair(int i, int j) {
+        return (long) Math.max(i, j) << 32 | Math.min(i, j);
     }
 
     private void add(SceneDescription.Solid solid, int index) {
@@ -175,6 +218,10 @@ final class OdePeer implements Peer {
         DBody bodyA = a.getBody();
         DBody bodyB = b.getBody();
         if (bodyA == null && bodyB == null) {
+            return;
+        }
+        if (!linked.isEmpty()
+                && linked.contains(pair((Integer) a.getData(), (Integer) b.getData()))) {
             return;
         }
         int count = OdeHelper.collide(a, b, MAX_POINTS, buffer.getGeomBuffer());

@@ -8,6 +8,7 @@ import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
+import org.joml.Quaterniondc;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 
@@ -25,6 +26,9 @@ import physx.cooking.PxConvexFlagEnum;
 import physx.cooking.PxConvexMeshDesc;
 import physx.cooking.PxCookingParams;
 import physx.cooking.PxTriangleMeshDesc;
+import physx.extensions.PxDistanceJoint;
+import physx.extensions.PxDistanceJointFlagEnum;
+import physx.extensions.PxJoint;
 import physx.geometry.PxBoxGeometry;
 import physx.geometry.PxCapsuleGeometry;
 import physx.geometry.PxConvexMesh;
@@ -74,6 +78,7 @@ final class PhysxPeer implements Peer {
     private final PxDefaultCpuDispatcher dispatcher;
     private final PxScene scene;
     private final List<PxRigidActor> actors = new ArrayList<>();
+    private final List<PxJoint> joints = new ArrayList<>();
 
     PhysxPeer(SceneDescription description, PeerSettings settings) {
         this.description = description;
@@ -101,6 +106,48 @@ final class PhysxPeer implements Peer {
         for (SceneDescription.Solid solid : description.bodies()) {
             add(solid);
         }
+        description.links().forEach(this::join);
+    }
+
+    /** Bodies with a joint between them do not collide there, unless one asks for it. */
+    private void join(Link link) {
+        PxTransform frameA = transform(link.anchorA(), link.frameA());
+        PxTransform frameB = transform(link.anchorB(), link.frameB());
+        PxRigidActor a = actors.get(link.a());
+        PxRigidActor b = actors.get(link.b());
+        joints.add(
+                switch (link.kind()) {
+                    case BALL ->
+                            PxTopLevelFunctions.SphericalJointCreate(physics, a, frameA, b, frameB);
+                    case HINGE ->
+                            PxTopLevelFunctions.RevoluteJointCreate(physics, a, frameA, b, frameB);
+                    case ROD -> {
+                        PxDistanceJoint rod =
+                                PxTopLevelFunctions.DistanceJointCreate(
+                                        physics, a, frameA, b, frameB);
+                        rod.setMinDistance((float) link.length());
+                        rod.setMaxDistance((float) link.length());
+                        rod.setDistanceJointFlag(
+                                PxDistanceJointFlagEnum.eMIN_DISTANCE_ENABLED, true);
+                        yield rod;
+                    }
+                });
+        frameA.destroy();
+        frameB.destroy();
+    }
+
+    private static PxTransform transform(Vector3dc place, Quaterniondc rotation) {
+        PxVec3 at = vector(place);
+        PxQuat turned =
+                new PxQuat(
+                        (float) rotation.x(),
+                        (float) rotation.y(),
+                        (float) rotation.z(),
+                        (float) rotation.w());
+        PxTransform made = new PxTransform(at, turned);
+        at.destroy();
+        turned.destroy();
+        return made;
     }
 
     private static PxPhysics physics() {
@@ -126,14 +173,7 @@ final class PhysxPeer implements Peer {
     }
 
     private void add(SceneDescription.Solid solid) {
-        PxVec3 at = vector(solid.centre());
-        PxQuat turned =
-                new PxQuat(
-                        (float) solid.rotation().x(),
-                        (float) solid.rotation().y(),
-                        (float) solid.rotation().z(),
-                        (float) solid.rotation().w());
-        PxTransform pose = new PxTransform(at, turned);
+        PxTransform pose = transform(solid.centre(), solid.rotation());
         PxGeometry geometry =
                 switch (solid.shape()) {
                     case Box box ->
@@ -201,8 +241,6 @@ final class PhysxPeer implements Peer {
         shape.release();
         material.release();
         pose.destroy();
-        turned.destroy();
-        at.destroy();
         scene.addActor(actor);
         actors.add(actor);
     }
@@ -372,6 +410,10 @@ final class PhysxPeer implements Peer {
 
     @Override
     public void close() {
+        for (PxJoint joint : joints) {
+            joint.release();
+        }
+        joints.clear();
         for (PxRigidActor actor : actors) {
             actor.release();
         }

@@ -1,6 +1,7 @@
 package dev.cairn.benchmarks.peer;
 
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.samples.SampleScene;
@@ -15,8 +16,10 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * A scene as plain data: what every engine is given. SI units, y up. Immutable.
@@ -27,16 +30,22 @@ import java.util.List;
  * Triangles}.
  *
  * @param bodies the bodies, fixed and movable, in the order in which the scene added them
+ * @param links the joints between them
  * @param forces that act in every tick
  * @param gravity m/s² along -y
  * @param stepSeconds length of a tick, s
  */
 public record SceneDescription(
-        List<Solid> bodies, List<ConstantForce> forces, double gravity, double stepSeconds) {
+        List<Solid> bodies,
+        List<Link> links,
+        List<ConstantForce> forces,
+        double gravity,
+        double stepSeconds) {
 
     /** Copies the lists. */
     public SceneDescription {
         bodies = List.copyOf(bodies);
+        links = List.copyOf(links);
         forces = List.copyOf(forces);
     }
 
@@ -85,19 +94,26 @@ public record SceneDescription(
     }
 
     /**
-     * Reads the bodies of a scene back from the world that its script built.
+     * Reads the bodies and joints of a scene back from the world that its script built.
      *
      * @param scene the scene, before the first tick
      * @return what the other engines are given
+     * @throws IllegalArgumentException if a joint is more than the other engines are given
      */
     public static SceneDescription of(SceneBuilder scene) {
         List<Solid> solids = new ArrayList<>();
         IdentityHashMap<Shape, Turned> turned = new IdentityHashMap<>();
+        Map<Long, Integer> indexOf = new HashMap<>();
         for (BodyRef body : scene.bodies()) {
+            indexOf.put(body.entity(), solids.size());
             solids.add(solid(body, turned));
         }
+        List<Link> links = new ArrayList<>();
+        for (JointRef joint : scene.world().joints().all()) {
+            links.add(Link.of(joint, indexOf, solids));
+        }
         return new SceneDescription(
-                solids, scene.forces(), SampleScene.GRAVITY, SampleScene.STEP_SECONDS);
+                solids, links, scene.forces(), SampleScene.GRAVITY, SampleScene.STEP_SECONDS);
     }
 
     private static Solid solid(BodyRef body, IdentityHashMap<Shape, Turned> known) {

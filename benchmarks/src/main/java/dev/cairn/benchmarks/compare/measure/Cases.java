@@ -6,6 +6,8 @@ import java.util.Map;
 /** The scenes of the report, in its order. */
 public final class Cases {
     private static final String OVERLAP = "deepest overlap at rest, m";
+    private static final String GAP = "gapMetres";
+    private static final String GAP_TEXT = "widest gap of a joint, m";
 
     public static final List<Case> ALL =
             List.of(
@@ -251,9 +253,72 @@ public final class Cases {
                                     "A pyramid of 100 rows stands as built (Box3D's large_pyramid:"
                                         + " 200 steps, density 100, friction 0.6). More than two"
                                         + " boxes off is a collapse.")
-                            .large(8, 1, Map.of("base", "12")));
+                            .large(8, 1, Map.of("base", "12")),
+                    Case.small(
+                            "pendulum",
+                            "Pendulum on a rod",
+                            "pendulum",
+                            Map.of("degrees", "90"),
+                            1200,
+                            "heightLostRelative",
+                            "largest change of energy, share of that of the way down and up",
+                            1,
+                            "A ball on a rod of 1 m without mass swings for 20 s from the"
+                                    + " horizontal; its energy stays."),
+                    chain("chain-heavy", "Ten links carry 100 times their mass", "100"),
+                    chain("chain-heavy-1000", "Ten links carry 1000 times their mass", "1000"),
+                    Case.small(
+                                    "bridge",
+                                    "Bridge of 20 planks under boxes",
+                                    "bridge",
+                                    Map.of(),
+                                    600,
+                                    GAP,
+                                    GAP_TEXT,
+                                    2,
+                                    "Planks of 0.5 m hang on hinges between two piers; six boxes"
+                                            + " of twice their mass fall onto them. No joint is"
+                                            + " ever open.")
+                            .large(16, 1, Map.of("planks", "8", "boxes", "2")),
+                    Case.small(
+                                    "joint-grid",
+                                    "Net of 10 000 balls, 19 701 joints (Box3D's joint_grid)",
+                                    "joint-grid",
+                                    Map.of("side", "100"),
+                                    300,
+                                    GAP,
+                                    GAP_TEXT,
+                                    200,
+                                    "A square net of balls 1 m apart swings down from its upper"
+                                            + " edge. No joint is ever open.")
+                            .large(8, 1, Map.of("side", "8")),
+                    Case.small(
+                            "newton-pendulums",
+                            "Newton's cradle on strings",
+                            "newton-pendulums",
+                            Map.of(),
+                            180,
+                            "heightRelative",
+                            "height that the last ball lacks, share",
+                            1.5,
+                            "Five elastic balls hang on two rods each; the last one rises as high"
+                                    + " as the first one came from."));
 
     private Cases() {}
+
+    private static Case chain(String id, String title, String ratio) {
+        return Case.small(
+                id,
+                title,
+                "chain-heavy",
+                Map.of("ratio", ratio),
+                600,
+                "stretchRelative",
+                "widest gap of a joint, share of a link",
+                20,
+                "Ten links of 1 kg and 0.5 m on ball joints swing by one end from 80 degrees, with"
+                        + " a ball at the other. No joint is ever open.");
+    }
 
     private static Case ground(
             String id, String title, Map<String, String> settings, Map<String, String> quick) {
