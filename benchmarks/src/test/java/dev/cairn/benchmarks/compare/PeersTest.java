@@ -147,6 +147,7 @@ class PeersTest {
         assertTrue(hulls.pairs() >= 8, "each hull rests on something: " + hulls.pairs());
         roundsArrive(engine, process);
         trianglesArrive(process);
+        jointsArrive(engine, process);
         if (engine != Engine.ODE4J) {
             // 3.15 is a plate that never moves: a force that does not arrive.
             assertTrue(error(process, "rolling", 4) < 0.1);
@@ -195,6 +196,31 @@ class PeersTest {
                     answer.error() != null && answer.error() < 0.06,
                     scene + ": overlap " + answer.error());
             assertEquals(0.0, answer.errors().get("belowGroundMetres"), scene);
+        });
+    }
+
+    /** Without joints, or with anchors elsewhere, all would be metres apart after ten seconds. */
+    private static void jointsArrive(Engine engine, EngineProcess process) {
+        Map<String, Map<String, String>> few =
+                Map.of(
+                        "chain-heavy", Map.of("ratio", "1", "links", "3"),
+                        "bridge", Map.of("planks", "4", "boxes", "1"),
+                        "pendulum", Map.of("degrees", "45"));
+        few.forEach((scene, settings) -> {
+            Protocol.Answer answer =
+                    process.ask(
+                            new Protocol.Request(Protocol.Kind.JUDGE, scene, settings, peer(8), 30),
+                            LIMIT);
+            boolean hasRods = engine != Engine.BULLET && engine != Engine.JBULLET;
+            if (scene.equals("pendulum") && !hasRods) {
+                String why = String.valueOf(answer.failure());
+                assertTrue(why.contains("it has no rods"), why);
+            } else {
+                assertNull(answer.failure(), scene);
+                assertTrue(
+                        answer.error() != null && answer.error() < 0.12,
+                        scene + ": " + answer.error());
+            }
         });
     }
 

@@ -57,7 +57,7 @@ public final class JointSolve extends PositionTrial {
     private static final double ALMOST = 1e-7;
 
     /** A joint is closed to this share of its bodies' size, or rad. */
-    private static final double CLOSED = 1e-13;
+    private static final double CLOSED = 1e-12;
 
     /** Turning speed at which a joint that is out of place is turned back, rad/s. */
     static final double TURN_BACK = 10;
@@ -164,22 +164,24 @@ public final class JointSolve extends PositionTrial {
         }
     }
 
-    /** Without a first guess; where solutions are rough, with the last impulses. */
-    void start() {
+    /**
+     * A step that contacts have no part in begins: the impulses of the last one are a first guess,
+     * if they do not add energy.
+     *
+     * @param scale of the impulses that were kept; 0 for none
+     */
+    void start(double scale) {
         if (s.isNet) {
             nets.warm(1, GAIN);
             return;
         }
         s.calm();
         derive();
-        Arrays.fill(s.impulse, 0.0);
-        if (s.isDirect) {
-            return;
-        }
         double most = GAIN * kinetic();
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                set(k, r, store.before[row(k, r)]);
+                s.impulse[r] = 0;
+                set(k, r, scale * store.before[row(k, r)]);
             }
         }
         if (!(kinetic() <= most)) {

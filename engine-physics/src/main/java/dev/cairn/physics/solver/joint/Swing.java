@@ -13,11 +13,11 @@ import java.util.Arrays;
  * The whole tick of an assembly that touches nothing, as flight is that of a single body.
  *
  * <p>Where nothing but rigid rows and gravity act the motion can be run backwards, and each
- * sub-step is made of five steps of {@link JointSolve} of lengths {@code g h, g h, (1 - 4 g) h, g
- * h, g h}, {@code g = 1/(4 - 4^(1/3))}, the middle one back in time: together they are of fourth
- * order and symplectic (M. Suzuki 1990). A pendulum at 45 degrees gains 1e-10 of its time, where
- * single steps gain 1.3e-5. Limits, motors, springs and damping know a direction of time: with them
- * it is single steps.
+ * sub-step of a few bodies is made of five steps of {@link JointSolve} of lengths {@code g h, g h,
+ * (1 - 4 g) h, g h, g h}, {@code g = 1/(4 - 4^(1/3))}, the middle one back in time: together they
+ * are of fourth order and symplectic (M. Suzuki 1990). A pendulum at 45 degrees gains 1e-10 of its
+ * time, where single steps gain 1.3e-5. Limits, motors, springs and damping know a direction of
+ * time: with them it is single steps, and so it is with many bodies.
  *
  * <p>A light link under tension is a string that swings the faster the more it bears. Where that is
  * fast against the step, see {@link Tension}, each sub-step is cut into more.
@@ -27,23 +27,34 @@ import java.util.Arrays;
 public final class Swing {
     private static final double OUTER = 0.4144907717943757;
 
+    /**
+     * Bodies up to which steps are of fourth order. The motion of more is chaotic: no digit that
+     * they would save is left after a second, and a chain would cost four times as much.
+     */
+    private static final int FEW = 4;
+
     private final JointEnergy energy = new JointEnergy();
     private final Tension tension = new Tension();
     private final JointSolve solve = new JointSolve();
 
+    /** Length of the tick's step before, s, or 0. */
+    private double last;
+
     /** Runs a tick. */
     public void run(SolverContext tick, SubStep sub, JointStore store, Assembly s) {
         s.keeps = JointEnergy.keeps(tick, store, s);
-        boolean isReversible = s.isDirect && !s.isRough() && isReversible(tick.bodies, s);
-        solve.open(tick, sub, store, s, isReversible ? 8 * OUTER - 1 : 1);
+        boolean isSmooth = s.isDirect && !s.isRough();
+        double quick = s.isDirect ? sub.seconds * tension.quickest(tick, store, s) : 0;
+        int parts = isSmooth ? Tension.partsAlone(quick) : 1;
+        boolean isFine = isSmooth && parts == 1 && s.body.length <= FEW && isReversible(tick, s);
+        solve.open(tick, sub, store, s, isFine ? 8 * OUTER - 1 : 1);
         solve.findDrives();
         solve.choose();
-        double quick = s.isDirect ? sub.seconds * tension.quickest(tick, store, s) : 0;
-        int parts = isReversible ? Tension.partsOfFive(quick) : Tension.parts(s, quick);
+        last = 0;
         double h = sub.seconds / parts;
         for (int k = 0; k < sub.count * parts; k++) {
             s.energy = JointEnergy.kinetic(tick, s) + JointEnergy.potential(tick, s);
-            if (isReversible) {
+            if (isFine) {
                 step(tick, s, OUTER * h);
                 step(tick, s, OUTER * h);
                 step(tick, s, (1 - 4 * OUTER) * h);
@@ -59,12 +70,12 @@ public final class Swing {
         solve.finish();
     }
 
-    private static boolean isReversible(BodyStore b, Assembly s) {
+    private static boolean isReversible(SolverContext tick, Assembly s) {
         if (!s.isRigid) {
             return false;
         }
         for (int i : s.body) {
-            if (b.motionFlags[i] != 0) {
+            if (tick.bodies.motionFlags[i] != 0) {
                 return false;
             }
         }
@@ -78,6 +89,7 @@ public final class Swing {
     public void cross(SolverContext tick, SubStep sub, JointStore store, Assembly s) {
         solve.open(tick, sub, store, s);
         solve.release();
+        last = 0;
         SolverBodies body = tick.body;
         double h = sub.seconds;
         double[] g = tick.gravity;
@@ -166,7 +178,8 @@ public final class Swing {
         for (int i : s.body) {
             Motion.kick(tick.bodies, tick.body, i, g[0], g[1], g[2], h);
         }
-        solve.start();
+        solve.start(!s.isDirect ? 1 : s.isRigid && last != 0 ? h / last : 0);
+        last = h;
         solve.position(h, true);
         for (int i : s.body) {
             JointSolve.renew(tick, i);

@@ -11,6 +11,9 @@ import dev.cairn.physics.solver.row.SubStep;
 abstract class VelocityHalf extends JointWork {
     static final int ROUNDS = 12;
 
+    /** Share of what joints do not allow that may be left of it: the next half closes joints. */
+    private static final double STOPPED = 1e-9;
+
     /** Sweeps of contacts begin, or end. */
     public void sweeps(boolean end) {
         if (s.keeps) {
@@ -124,7 +127,7 @@ abstract class VelocityHalf extends JointWork {
                 }
             }
             first = Math.max(first, worst);
-            if (!changed && (worst <= 1e-14 * first || round > (s.isDirect ? 2 : 0))) {
+            if (!changed && (worst <= STOPPED * first || round > (s.isDirect ? 2 : 0))) {
                 return;
             }
             factor(false);
