@@ -30,6 +30,9 @@ final class BlockFactors implements Assembly.Matrix {
     /** Right-hand side, then the solution. */
     private final double[] x;
 
+    /** A row, times 1/D. */
+    private final double[] scaled;
+
     BlockFactors(Elimination order) {
         this.order = order;
         a = new double[order.entries];
@@ -37,6 +40,7 @@ final class BlockFactors implements Assembly.Matrix {
         pivot = new double[n];
         inverse = new double[n];
         x = new double[n];
+        scaled = new double[Math.max(BODY, order.largest())];
     }
 
     @Override
@@ -129,10 +133,7 @@ final class BlockFactors implements Assembly.Matrix {
             int row = b + n * r;
             for (int c = 1; c < n; c++) {
                 double g = a[row + c];
-                for (int k = 0; k < c; k++) {
-                    g -= a[d + n * c + k] * a[row + k];
-                }
-                a[row + c] = g;
+                a[row + c] = g - dot(a, d + n * c, a, row, c);
             }
         }
     }
@@ -141,17 +142,16 @@ final class BlockFactors implements Assembly.Matrix {
     private void subtract(int w1, int m, int w2, int l, int n, int u, int c, boolean isDiagonal) {
         for (int r = 0; r < m; r++) {
             int end = isDiagonal ? r + 1 : l;
+            for (int k = 0; k < n; k++) {
+                scaled[k] = a[w1 + n * r + k] * inverse[u + k];
+            }
             for (int s = 0; s < end; s++) {
-                double sum = 0;
-                for (int k = 0; k < n; k++) {
-                    sum += a[w1 + n * r + k] * inverse[u + k] * a[w2 + n * s + k];
-                }
-                a[c + l * r + s] -= sum;
+                a[c + l * r + s] -= dot(a, w2 + n * s, scaled, 0, n);
             }
         }
     }
 
-    /** Solves for {@link #x}. */
+    /** Solves for {@link #x}: {@code L y = b}, then {@code D L^T x = y}. */
     void solve() {
         Elimination o = order;
         for (int p = 0; p < o.nodes; p++) {
@@ -159,21 +159,16 @@ final class BlockFactors implements Assembly.Matrix {
             int d = o.diagonal[p];
             int u = o.unknown[p];
             for (int r = 1; r < n; r++) {
-                double g = x[u + r];
-                for (int k = 0; k < r; k++) {
-                    g -= a[d + n * r + k] * x[u + k];
-                }
-                x[u + r] = g;
+                x[u + r] -= dot(a, d + n * r, x, u, r);
+            }
+            for (int k = 0; k < n; k++) {
+                scaled[k] = inverse[u + k] * x[u + k];
             }
             for (int e = o.first[p]; e < o.first[p + 1]; e++) {
                 int v = o.unknown[o.later[e]];
                 int m = o.size[o.node[o.later[e]]];
                 for (int r = 0; r < m; r++) {
-                    double sum = 0;
-                    for (int k = 0; k < n; k++) {
-                        sum += a[o.block[e] + n * r + k] * inverse[u + k] * x[u + k];
-                    }
-                    x[v + r] -= sum;
+                    x[v + r] -= dot(a, o.block[e] + n * r, scaled, 0, n);
                 }
             }
         }
@@ -191,21 +186,50 @@ final class BlockFactors implements Assembly.Matrix {
             int v = o.unknown[o.later[e]];
             int m = o.size[o.node[o.later[e]]];
             for (int r = 0; r < m; r++) {
-                double w = x[v + r];
-                for (int k = 0; k < n; k++) {
-                    x[u + k] -= a[o.block[e] + n * r + k] * w;
-                }
+                subtract(a, o.block[e] + n * r, x[v + r], x, u, n);
             }
         }
-        for (int r = 0; r < n; r++) {
-            x[u + r] *= inverse[u + r];
+        for (int k = 0; k < n; k++) {
+            x[u + k] *= inverse[u + k];
         }
-        for (int r = n - 1; r >= 0; r--) {
-            double g = x[u + r];
-            for (int k = r + 1; k < n; k++) {
-                g -= a[d + n * k + r] * x[u + k];
-            }
-            x[u + r] = g;
+        for (int r = n - 1; r > 0; r--) {
+            subtract(a, d + n * r, x[u + r], x, u, r);
+        }
+    }
+
+    /** {@code a.b}: a body's six and a point's three numbers without a loop, which costs more. */
+    private static double dot(double[] a, int i, double[] b, int j, int n) {
+        if (n == BODY) {
+            return a[i] * b[j]
+                    + a[i + 1] * b[j + 1]
+                    + a[i + 2] * b[j + 2]
+                    + a[i + 3] * b[j + 3]
+                    + a[i + 4] * b[j + 4]
+                    + a[i + 5] * b[j + 5];
+        }
+        if (n == 3) {
+            return a[i] * b[j] + a[i + 1] * b[j + 1] + a[i + 2] * b[j + 2];
+        }
+        double sum = 0;
+        for (int k = 0; k < n; k++) {
+            sum += a[i + k] * b[j + k];
+        }
+        return sum;
+    }
+
+    /** {@code x -= w a}. */
+    private static void subtract(double[] a, int i, double w, double[] x, int j, int n) {
+        if (n == BODY) {
+            x[j] -= w * a[i];
+            x[j + 1] -= w * a[i + 1];
+            x[j + 2] -= w * a[i + 2];
+            x[j + 3] -= w * a[i + 3];
+            x[j + 4] -= w * a[i + 4];
+            x[j + 5] -= w * a[i + 5];
+            return;
+        }
+        for (int k = 0; k < n; k++) {
+            x[j + k] -= w * a[i + k];
         }
     }
 }

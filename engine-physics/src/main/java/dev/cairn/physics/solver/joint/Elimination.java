@@ -270,6 +270,15 @@ final class Elimination {
         return true;
     }
 
+    /** Unknowns of the node that has most. */
+    int largest() {
+        int most = 0;
+        for (int n : size) {
+            most = Math.max(most, n);
+        }
+        return most;
+    }
+
     /** Where the block of two places begins: it lies with the earlier one. */
     int at(int later, int earlier) {
         return later == earlier ? diagonal[later] : block[find(later, earlier)];
