@@ -67,9 +67,9 @@ final class WindowInput {
     private static final int CONTROL = 2;
     private static final int REPEAT = 2;
 
-    /** What Ctrl and these mean to a text that is edited. */
+    /** What Ctrl and these mean to a text that is edited; undo is the application's. */
     private static final EnumSet<Key> OF_FIELDS =
-            EnumSet.of(Key.A, Key.C, Key.V, Key.X, Key.Y, Key.Z, Key.LEFT, Key.RIGHT);
+            EnumSet.of(Key.A, Key.C, Key.V, Key.X, Key.LEFT, Key.RIGHT);
 
     private static final byte KEY = 0;
     private static final byte BUTTON = 1;

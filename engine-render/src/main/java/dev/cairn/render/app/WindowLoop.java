@@ -1,5 +1,7 @@
 package dev.cairn.render.app;
 
+import static org.lwjgl.glfw.GLFW.glfwGetClipboardString;
+import static org.lwjgl.glfw.GLFW.glfwSetClipboardString;
 import static org.lwjgl.glfw.GLFW.glfwSetFramebufferSizeCallback;
 import static org.lwjgl.glfw.GLFW.glfwSetWindowCloseCallback;
 import static org.lwjgl.glfw.GLFW.glfwSetWindowContentScaleCallback;
@@ -31,6 +33,7 @@ import org.lwjgl.system.MemoryUtil;
 
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.Objects;
 
 /** The main thread of an application with a window: events, camera, frames, panels. */
 final class WindowLoop {
@@ -234,6 +237,9 @@ final class WindowLoop {
         panels = null;
         try {
             NuklearUi made = new NuklearUi(scale);
+            made.clipboard(
+                    () -> Objects.requireNonNullElse(glfwGetClipboardString(context.handle()), ""),
+                    text -> glfwSetClipboardString(context.handle(), text));
             if (known != null) {
                 made.openAs(known);
             }

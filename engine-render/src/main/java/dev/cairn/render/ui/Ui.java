@@ -251,7 +251,20 @@ public interface Ui {
      * @param content present text
      * @return the text, edited or the same object
      */
-    String textField(String label, String content);
+    default String textField(String label, String content) {
+        return textField(label, content, false);
+    }
+
+    /**
+     * A field whose name can be marked.
+     *
+     * @param label its name; what tells fields apart
+     * @param content present text
+     * @param doubtful whether the name is written in red: the text means nothing, so that what it
+     *     stands for is still as before
+     * @return the text, edited or the same object
+     */
+    String textField(String label, String content, boolean doubtful);
 
     /**
      * A cross over the picture, outside all panels.

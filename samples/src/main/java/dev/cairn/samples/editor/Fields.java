@@ -8,15 +8,28 @@ import org.jspecify.annotations.Nullable;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Pattern;
 
 /**
  * Numbers as text that can be typed. While a text is no number the value stays, and the text too,
- * so that it can be finished. Texts are made anew only when they or their values change, so that a
- * frame in which nothing is typed makes no garbage. Window thread.
+ * so that it can be finished; its name is red then. Texts are made anew only when they or their
+ * values change, so that a frame in which nothing is typed makes no garbage. Window thread.
  */
 final class Fields {
     /** What the user typed: its text and the value that it means, NaN where it means none. */
-    private record Typed(String text, double value) {}
+    private static final class Typed {
+        private final String text;
+        private final double meant;
+
+        /** The value that was there, until the new one is; it stays where that is refused. */
+        private double old;
+
+        private Typed(String text, double meant, double old) {
+            this.text = text;
+            this.meant = meant;
+            this.old = old;
+        }
+    }
 
     /** A field that nobody types into: the bits of a value, and the text that shows it. */
     private static final class Shown {
@@ -25,6 +38,11 @@ final class Fields {
     }
 
     private static final int NO_COLOUR = -1;
+
+    /** Letters of a number; the longest that a double is written with has 24. */
+    private static final int MOST_LETTERS = 60;
+
+    private static final Pattern DECIMAL = Pattern.compile("[-+0-9.eE]+");
 
     private final Map<String, Typed> typed = new HashMap<>();
     private final Map<String, Shown> untouched = new HashMap<>();
@@ -42,20 +60,27 @@ final class Fields {
      * @return what was typed if it is a finite number, or the same bits as before
      */
     double number(Ui ui, String label, double value) {
-        Typed before = typed.get(label);
-        if (before != null && !Double.isNaN(before.value) && before.value != value) {
-            // Changed elsewhere meanwhile.
-            typed.remove(label);
-            before = null;
-        }
+        Typed before = typed(label, value);
         String shown = before == null ? untouched(label, value) : before.text;
-        String now = ui.textField(label, shown);
-        if (now.equals(shown)) {
+        String now = ui.textField(label, shown, before != null && before.meant != value);
+        if (now.equals(shown) || now.length() > MOST_LETTERS) {
             return value;
         }
         Double parsed = parse(now);
-        typed.put(label, new Typed(now, parsed == null ? Double.NaN : parsed));
+        typed.put(label, new Typed(now, parsed == null ? Double.NaN : parsed, value));
         return parsed == null ? value : parsed;
+    }
+
+    /** What was typed, unless the value was changed elsewhere meanwhile. */
+    private @Nullable Typed typed(String label, double value) {
+        Typed before = typed.get(label);
+        if (before != null && value == before.meant) {
+            before.old = Double.NaN;
+        } else if (before != null && value != before.old) {
+            typed.remove(label);
+            return null;
+        }
+        return before;
     }
 
     private String untouched(String label, double value) {
@@ -77,18 +102,14 @@ final class Fields {
      */
     @Nullable Integer rgb(Ui ui, String label, @Nullable Integer value) {
         int known = value == null ? NO_COLOUR : value & 0xFFFFFF;
-        Typed before = typed.get(label);
-        if (before != null && !Double.isNaN(before.value) && before.value != known) {
-            typed.remove(label);
-            before = null;
-        }
+        Typed before = typed(label, known);
         String shown = before == null ? untouchedRgb(label, known) : before.text;
-        String now = ui.textField(label, shown);
-        if (now.equals(shown)) {
+        String now = ui.textField(label, shown, before != null && before.meant != known);
+        if (now.equals(shown) || now.length() > MOST_LETTERS) {
             return value;
         }
         Integer parsed = parseRgb(now);
-        typed.put(label, new Typed(now, parsed == null ? Double.NaN : parsed));
+        typed.put(label, new Typed(now, parsed == null ? Double.NaN : parsed, known));
         return parsed == null ? value : parsed;
     }
 
@@ -129,9 +150,14 @@ final class Fields {
         return same ? value : new Xyz(x, y, z);
     }
 
+    /** A number in decimals, with a point or a comma; -0 is 0. Null for what is none. */
     static @Nullable Double parse(String text) {
+        String digits = text.strip().replace(',', '.');
+        if (!DECIMAL.matcher(digits).matches()) {
+            return null;
+        }
         try {
-            double value = Double.parseDouble(text.strip());
+            double value = Double.parseDouble(digits) + 0.0; // -0 + 0 = 0
             return Double.isFinite(value) ? value : null;
         } catch (NumberFormatException unfinished) {
             return null;

@@ -304,6 +304,15 @@ class EditorTest {
         assertEquals(null, Fields.parse(""));
         assertEquals(null, Fields.parse("1\n2"));
         assertEquals(null, Fields.parse("9".repeat(100_000)), "beyond what a double holds");
+        assertEquals(null, Fields.parse("-Infinity"));
+        assertEquals(null, Fields.parse("1f"));
+        assertEquals(null, Fields.parse("0x1p3"));
+        assertEquals(null, Fields.parse("1.000,5"));
+        assertEquals(null, Fields.parse("\u0661\u0662"), "Arabic digits");
+        assertEquals(null, Fields.parse("\ud83d\ude00"));
+        assertEquals(1.5, Fields.parse("1,5"));
+        assertEquals(0.0, Fields.parse("-0"), "no sign");
+        assertEquals(0.0, Fields.parse("1e-999"));
         assertEquals(0xC8553D, Fields.parseRgb("#c8553D"));
         assertEquals(null, Fields.parseRgb("#C8553"));
         assertEquals("0.333333", Fields.text(1.0 / 3));

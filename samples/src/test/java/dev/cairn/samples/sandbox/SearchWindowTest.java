@@ -38,6 +38,17 @@ class SearchWindowTest extends WindowFixture {
         type("key", "BackSpace");
         await("all scenes", seen -> seen.is("sought", ""));
         assertTrue(now().number("listed") >= 4, last);
+        // far more than a frame takes, and then through the clipboard of the server
+        String many = "m3 ".repeat(30) + "end";
+        type("type", "--delay", "1", many);
+        await("all of it", seen -> seen.is("sought", many.replace(' ', '_')));
+        type("key", "ctrl+a", "ctrl+x");
+        await("nothing", seen -> seen.is("sought", ""));
+        type("key", "ctrl+v", "ctrl+v");
+        await("twice as much", seen -> seen.is("sought", (many + many).replace(' ', '_')));
+        look("search-long");
+        type("key", "ctrl+a", "BackSpace");
+        await("nothing again", seen -> seen.is("sought", ""));
         type("type", "FRICTION slope");
         await("one scene", seen -> seen.is("sought", "FRICTION_slope"));
         assertEquals(1, now().number("listed"), last);

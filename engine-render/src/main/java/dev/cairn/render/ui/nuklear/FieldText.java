@@ -4,10 +4,16 @@ import org.lwjgl.system.MemoryUtil;
 
 import java.nio.charset.StandardCharsets;
 
-/** The text of a field, in UTF-8 as Nuklear edits it; made anew only when it changes. */
+/**
+ * The text of a field, in UTF-8 as Nuklear edits it; made anew only when it changes. Of a text that
+ * is longer than there is room only the beginning is edited, and the rest stays behind it.
+ */
 final class FieldText {
     private String content = "";
     private byte[] bytes = {};
+
+    /** How many of the bytes are edited: whole letters. */
+    private int head;
 
     /**
      * Writes a text.
@@ -20,13 +26,16 @@ final class FieldText {
     int write(String text, long to, int most) {
         if (!text.equals(content)) {
             bytes = text.getBytes(StandardCharsets.UTF_8);
+            head = Math.min(bytes.length, most);
+            while (head < bytes.length && head > 0 && (bytes[head] & 0xC0) == 0x80) {
+                head--; // the second and later bytes of a letter are 10xxxxxx
+            }
         }
         content = text;
-        int length = Math.min(bytes.length, most);
-        for (int i = 0; i < length; i++) {
+        for (int i = 0; i < head; i++) {
             MemoryUtil.memPutByte(to + i, bytes[i]);
         }
-        return length;
+        return head;
     }
 
     /**
@@ -34,22 +43,21 @@ final class FieldText {
      *
      * @param from address of the edited text
      * @param length its bytes
-     * @param most what {@link #write} had room for
      * @return the same object where nothing changed
      */
-    String read(long from, int length, int most) {
-        boolean same = length <= bytes.length;
+    String read(long from, int length) {
+        boolean same = length == head;
         for (int i = 0; i < length && same; i++) {
             same = MemoryUtil.memGetByte(from + i) == bytes[i];
         }
-        // A text that was too long is not edited as long as its beginning stays.
-        if (same && (length == bytes.length || length == most)) {
+        if (same) {
             return content;
         }
-        byte[] now = new byte[length];
+        byte[] now = new byte[length + bytes.length - head];
         for (int i = 0; i < length; i++) {
             now[i] = MemoryUtil.memGetByte(from + i);
         }
+        System.arraycopy(bytes, head, now, length, bytes.length - head);
         return new String(now, StandardCharsets.UTF_8);
     }
 }

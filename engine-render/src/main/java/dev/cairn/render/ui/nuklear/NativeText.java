@@ -10,6 +10,7 @@ public final class NativeText implements AutoCloseable {
     private static final int BYTES = 4096;
 
     private final long address = MemoryUtil.nmemAllocChecked(BYTES);
+    private int length;
 
     /** Room for some thousand letters. */
     public NativeText() {}
@@ -48,7 +49,13 @@ public final class NativeText implements AutoCloseable {
             }
         }
         put(at, 0);
+        length = at;
         return address;
+    }
+
+    /** Bytes of the last text. */
+    int length() {
+        return length;
     }
 
     private int put(int at, int value) {

@@ -8,6 +8,8 @@ import dev.cairn.render.input.MouseButton;
 import org.lwjgl.nuklear.NkContext;
 import org.lwjgl.nuklear.NkVec2;
 
+import java.util.Arrays;
+
 /** Keyboard and mouse of the panels: {@link #begin}, events, {@link #end}, once a frame. */
 public final class NuklearInput {
     private final NkContext context;
@@ -23,6 +25,17 @@ public final class NuklearInput {
     private boolean leftDown;
     private boolean leftPressed;
 
+    /** Keys and letters that come in a later frame, in their order. */
+    private int[] waiting = new int[64];
+
+    private int waitingCount;
+
+    /** Bit by bit the keys that Nuklear has as down. */
+    private long down;
+
+    private int letterBytes;
+    private boolean keyed;
+
     NuklearInput(NkContext context, NkVec2 vector) {
         this.context = context;
         this.vector = vector;
@@ -32,11 +45,19 @@ public final class NuklearInput {
     public void begin() {
         leftPressed = false;
         clicked = false;
+        letterBytes = 0;
+        keyed = false;
         nk_input_begin(context);
         if (wentOn) {
             wentOn = false;
             moved(laterX, laterY);
         }
+        int taken = 0;
+        while (taken < waitingCount && take(waiting[taken])) {
+            taken++;
+        }
+        waitingCount -= taken;
+        System.arraycopy(waiting, taken, waiting, 0, waitingCount);
     }
 
     /** Ends to take events. */
@@ -101,20 +122,68 @@ public final class NuklearInput {
     /**
      * A letter was typed.
      *
-     * @param codePoint Unicode
+     * @param codePoint Unicode; control characters are no letters
      */
     public void typed(int codePoint) {
-        nk_input_unicode(context, codePoint);
+        if (!Character.isISOControl(codePoint)) {
+            offer(codePoint);
+        }
+    }
+
+    /**
+     * Nuklear takes letters before keys, a key once, and 15 bytes of letters a frame: the rest
+     * waits, so that in slow frames nothing is lost and nothing overtakes.
+     */
+    private void offer(int event) {
+        if (waitingCount == 0 && take(event)) {
+            return;
+        }
+        if (waitingCount == waiting.length) {
+            waiting = Arrays.copyOf(waiting, 2 * waitingCount);
+        }
+        waiting[waitingCount++] = event;
+    }
+
+    /** Letters are their code points, keys are negative: -1 - (2 code + 1 if down). */
+    private boolean take(int event) {
+        if (event >= 0) {
+            int bytes = event < 0x80 ? 1 : event < 0x800 ? 2 : event < 0x10000 ? 3 : 4;
+            if (keyed || letterBytes + bytes >= NK_INPUT_MAX) {
+                return false;
+            }
+            letterBytes += bytes;
+            nk_input_unicode(context, event);
+            return true;
+        }
+        int code = (-1 - event) >> 1;
+        boolean isDown = ((-1 - event) & 1) != 0;
+        boolean shift = code == NK_KEY_SHIFT;
+        if ((shift || isDown) && (keyed || (!shift && letterBytes > 0))) {
+            return false;
+        }
+        boolean repeats = isDown && (down >>> code & 1) != 0;
+        if (repeats) {
+            nk_input_key(context, code, false);
+        }
+        nk_input_key(context, code, isDown);
+        down = isDown ? down | 1L << code : down & ~(1L << code);
+        keyed |= isDown && !shift;
+        return true;
+    }
+
+    /** Whether something that was typed comes in a later frame. */
+    boolean isWaiting() {
+        return waitingCount > 0;
     }
 
     /**
      * A key went down (or repeats), or up.
      *
      * @param key the key
-     * @param down whether it went down
+     * @param isDown whether it went down
      * @param control whether control is held
      */
-    public void key(Key key, boolean down, boolean control) {
+    public void key(Key key, boolean isDown, boolean control) {
         int code =
                 switch (key) {
                     case BACKSPACE -> NK_KEY_BACKSPACE;
@@ -129,12 +198,14 @@ public final class NuklearInput {
                     case END -> NK_KEY_TEXT_LINE_END;
                     case LEFT_SHIFT, RIGHT_SHIFT -> NK_KEY_SHIFT;
                     case A -> control ? NK_KEY_TEXT_SELECT_ALL : NK_KEY_NONE;
-                    case Z -> control ? NK_KEY_TEXT_UNDO : NK_KEY_NONE;
+                    case C -> control ? NK_KEY_COPY : NK_KEY_NONE;
+                    case V -> control ? NK_KEY_PASTE : NK_KEY_NONE;
+                    case X -> control ? NK_KEY_CUT : NK_KEY_NONE;
                     case ESCAPE -> NK_KEY_TEXT_RESET_MODE;
                     default -> NK_KEY_NONE;
                 };
         if (code != NK_KEY_NONE) {
-            nk_input_key(context, code, down);
+            offer(-1 - (2 * code + (isDown ? 1 : 0)));
         }
     }
 

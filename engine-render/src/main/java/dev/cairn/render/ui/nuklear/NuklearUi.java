@@ -12,9 +12,9 @@ import org.lwjgl.nuklear.NkVec2;
 import org.lwjgl.system.MemoryUtil;
 
 import java.nio.ByteBuffer;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /**
  * {@link Ui} by Nuklear. One frame is events to {@link #input}, {@link #begin}, widgets, {@link
@@ -27,7 +27,6 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private static final double PLOT = 46;
     private static final double PICTURE = 31;
     private static final double KNOB_INSET = 9;
-    private static final int TEXT_BYTES = 1024;
 
     /** Padding and rounding of a button, see {@link UiStyle}. */
     private static final double BUTTON_INSET = 10;
@@ -39,7 +38,6 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final UiCross cross;
     private final UiPlot plots;
     private final ByteBuffer memory = MemoryUtil.memAlignedAlloc(64, MEMORY_BYTES);
-    private final long edited = MemoryUtil.nmemAllocChecked(TEXT_BYTES);
     private final NkContext context = NkContext.calloc();
     private final NkRect rect = NkRect.calloc();
     private final NkVec2 vector = NkVec2.calloc();
@@ -53,9 +51,9 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final UiPictures pictures = new UiPictures(context);
     private final UiPlaces places = new UiPlaces();
     private final UiSections sections = new UiSections();
-    private final Map<String, FieldText> fields = new HashMap<>();
     private final SliderText sliderText = new SliderText();
     private final NuklearInput input = new NuklearInput(context, vector);
+    private final UiFields fields = new UiFields(context, input);
     private int pixelWidth;
     private int pixelHeight;
     private String panelNow = "";
@@ -63,9 +61,6 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private float panelBottom;
     private String movedPanel = "";
     private String movedSlider = "";
-    private boolean editing;
-    private boolean wasEditing;
-    private boolean endsEditing;
     private final UiPanels panels = new UiPanels();
     private boolean panelOpen;
     private int columns;
@@ -111,12 +106,22 @@ public final class NuklearUi implements Ui, AutoCloseable {
      * @return true if nobody else should act on them
      */
     public boolean wantsKeys() {
-        return wasEditing;
+        return fields.isEditing();
     }
 
     /** Has the text that is edited keep what it is, and keys go elsewhere from now on. */
     public void endEditing() {
-        endsEditing = true;
+        fields.endEditing();
+    }
+
+    /**
+     * Lets texts be cut, copied and pasted; without, they are not.
+     *
+     * @param from what is in the clipboard, empty for no text
+     * @param to puts a text there
+     */
+    public void clipboard(Supplier<String> from, Consumer<String> to) {
+        fields.clipboard(from, to);
     }
 
     // Frame ------------------------------------------------------------------------------------
@@ -130,7 +135,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     public void begin(int width, int height) {
         pixelWidth = width;
         pixelHeight = height;
-        editing = false;
+        fields.nextFrame();
         letters.nextFrame();
         panels.nextFrame();
     }
@@ -139,8 +144,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     public void paint() {
         painter.draw(context, pixelWidth, pixelHeight);
         nk_clear(context);
-        wasEditing = editing;
-        endsEditing = false;
+        fields.frameDone();
     }
 
     @Override
@@ -449,27 +453,15 @@ public final class NuklearUi implements Ui, AutoCloseable {
     }
 
     @Override
-    public String textField(String label, String content) {
+    public String textField(String label, String content, boolean doubtful) {
         row(ROW, 2, shares.choice);
-        write(label, NK_TEXT_LEFT);
-        remember(label);
-        FieldText field = fields.computeIfAbsent(label, key -> new FieldText());
-        MemoryUtil.memPutInt(numbers, field.write(content, edited, TEXT_BYTES - 8));
-        int state =
-                nnk_edit_string(
-                        context.address(),
-                        NK_EDIT_FIELD,
-                        edited,
-                        numbers,
-                        TEXT_BYTES - 4,
-                        MemoryUtil.NULL);
-        if (endsEditing && (state & NK_EDIT_ACTIVE) != 0) {
-            nk_edit_unfocus(context);
-            endsEditing = false;
+        if (doubtful) {
+            write(label, UiStyle.DOUBT, NK_TEXT_LEFT);
         } else {
-            editing |= (state & NK_EDIT_ACTIVE) != 0;
+            write(label, NK_TEXT_LEFT);
         }
-        return field.read(edited, MemoryUtil.memGetInt(numbers), TEXT_BYTES - 8);
+        remember(label);
+        return fields.edit(label, content);
     }
 
     @Override
@@ -484,7 +476,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
         geometry.close();
         font.close();
         MemoryUtil.memAlignedFree(memory);
-        MemoryUtil.nmemFree(edited);
+        fields.close();
         context.free();
         rect.free();
         vector.free();

@@ -17,6 +17,7 @@ final class UiStyle {
     static final int TEXT = 0xFFE8EAED;
     static final int DIM = 0xFF9AA4B2;
     static final int ACCENT = 0xFF4FA3E3;
+    static final int DOUBT = 0xFFFF7A7A;
 
     private static final int WINDOW = 0xEC181C23;
     private static final int HEADER = 0xF0232A35;

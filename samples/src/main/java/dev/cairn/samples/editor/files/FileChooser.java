@@ -5,6 +5,7 @@ import dev.cairn.render.ui.Ui;
 import org.jspecify.annotations.Nullable;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -103,7 +104,7 @@ public final class FileChooser {
             } else if (sorted.isEmpty()) {
                 problem = "no folder and no file that ends in " + ending;
             }
-        } catch (IOException unreadable) {
+        } catch (IOException | UncheckedIOException unreadable) {
             problem = "cannot be read: " + unreadable.getMessage();
         }
     }
