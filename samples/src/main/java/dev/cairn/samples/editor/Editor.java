@@ -354,6 +354,20 @@ public final class Editor {
     }
 
     /**
+     * Names the selected entity. Letters typed one after another are one step, so its label has no
+     * name in it.
+     *
+     * @param name any
+     */
+    public void rename(String name) {
+        int index = selected();
+        if (index != NOTHING) {
+            UnaryOperator<EntitySpec> named = e -> e.withName(name);
+            edit("rename entity " + index, s -> SceneEdit.change(s, index, named), true);
+        }
+    }
+
+    /**
      * Has the scene seen from elsewhere.
      *
      * @param camera the camera at its beginning

@@ -125,7 +125,7 @@ final class EntityPanel {
     private void identity(Ui ui, EntitySpec entity) {
         String name = ui.textField("name", entity.name());
         if (!name.equals(entity.name())) {
-            editor.change("rename", e -> e.withName(name));
+            editor.rename(name);
         }
         ui.value("shape", entity.shape().type());
         shapes.draw(ui, entity);

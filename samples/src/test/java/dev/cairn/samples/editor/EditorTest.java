@@ -322,6 +322,22 @@ class EditorTest {
     }
 
     @Test
+    void aNameIsOneStepHoweverManyLettersItHas() {
+        editor.place(box("crate"));
+        int before = editor.history().steps();
+        String name = "\u05e9\u05dc\u05d5\u05dd \ud83d\ude00 \u202e " + "x".repeat(100_000);
+        for (int end = 1; end < 100; end++) {
+            editor.rename(name.substring(0, end));
+        }
+        editor.rename(name);
+        assertEquals(before + 1, editor.history().steps());
+        editor.files().save("scene.json");
+        editor.files().load("scene.json");
+        assertFalse(editor.isWrong(), editor.message());
+        assertEquals(name, editor.scene().entities().getLast().name(), "as it was typed");
+    }
+
+    @Test
     void undoAndRedoKeepWhatIsSelectedOrSelectWhatComesBack() {
         editor.place(box("first"));
         editor.place(box("second"));

@@ -43,6 +43,8 @@ public final class EditorProbe extends Sandbox {
                     "Move its point...",
                     "twist about x",
                     "twist: a motor",
+                    "name",
+                    "position x",
                     "joint 0  hinge, anchor and box",
                     LeaveQuestion.SAVE,
                     LeaveQuestion.GIVE_UP);
@@ -76,7 +78,7 @@ public final class EditorProbe extends Sandbox {
                                 + " joint=%d awaited=%s count=%d tool=%s selectedZ=%s"
                                 + " texture=%s turnY=%.6f scaleX=%.6f scaleY=%.6f lowestY=%.6f"
                                 + " eyeX=%.6f eyeY=%.6f aheadX=%.6f aheadY=%.6f aheadZ=%.6f"
-                                + " message=%s notes=%s",
+                                + " nameLength=%d message=%s notes=%s",
                         view.frames(),
                         editor().mode(),
                         state.tick,
@@ -110,6 +112,7 @@ public final class EditorProbe extends Sandbox {
                         view.camera().forward(ahead).x,
                         ahead.y,
                         ahead.z,
+                        chosen == null ? 0 : chosen.name().length(),
                         editor().message().replaceAll("\\s", "_"),
                         state.notes.replaceAll("\\s", "_")));
         double[] at = new double[2];

@@ -132,6 +132,7 @@ class EditorWindowTest extends WindowFixture {
         await("the box to be gone", seen -> seen.number("entities") == 1);
         type("key", "ctrl+z");
         await("the box to be back, selected", seen -> seen.number("selected") == 1);
+        hostileTexts();
 
         type("key", "f");
         await("the camera to go to the box", seen -> seen.number("eyeZ") < 6);
@@ -161,6 +162,37 @@ class EditorWindowTest extends WindowFixture {
         look("leave-question");
         click(LeaveQuestion.GIVE_UP);
         assertEquals(0, ended());
+    }
+
+    /** Into the fields of the selected box, whose place is x = 0; all is undone at the end. */
+    private void hostileTexts() throws IOException, InterruptedException {
+        int steps = (int) now().number("steps");
+        click("name");
+        settle();
+        type("key", "ctrl+a");
+        type("type", "--delay", "1", "x".repeat(300));
+        await("a long name", seen -> seen.number("nameLength") == 300);
+        type("key", "Return");
+        click("position x");
+        settle();
+        for (String none : new String[] {"1e999", "NaN", "1-1", "0x10"}) {
+            type("key", "ctrl+a");
+            type("type", "--delay", "1", none);
+            settle();
+        }
+        look("editor-hostile");
+        assertEquals(0, now().number("selectedX"), last);
+        type("key", "ctrl+a");
+        type("type", "--delay", "1", "2,5");
+        await("a comma to be a point", seen -> seen.number("selectedX") == 2.5);
+        // Undo reaches the scene from within the field.
+        for (int i = 0; i < 20 && now().number("steps") > steps; i++) {
+            type("key", "ctrl+z");
+            settle();
+        }
+        assertEquals(3, now().number("nameLength"), last);
+        assertEquals(0, now().number("selectedX"), last);
+        type("key", "Return");
     }
 
     /** A pendulum by mouse alone; its length stays what it was when it was placed. */

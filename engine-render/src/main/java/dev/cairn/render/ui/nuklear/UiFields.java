@@ -76,8 +76,9 @@ final class UiFields implements AutoCloseable {
         endsEditing &= input.isWaiting();
     }
 
+    /** Whether keys belong to a field; not those after the one that ends it. */
     boolean isEditing() {
-        return wasEditing;
+        return wasEditing && !endsEditing;
     }
 
     void endEditing() {
