@@ -33,10 +33,10 @@ final class Titles {
     }
 
     static String title(int index, EntitySpec entity) {
-        return "%d  %s, %s%s"
+        return "%d  %s%s%s"
                 .formatted(
                         index,
-                        entity.name().isEmpty() ? "(no name)" : entity.name(),
+                        entity.name().isEmpty() ? "" : entity.name() + ", ",
                         entity.shape().type(),
                         switch (entity.body()) {
                             case DYNAMIC -> "";
