@@ -8,6 +8,9 @@ import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
 import dev.cairn.samples.SceneRun;
+import dev.cairn.samples.SceneView;
+
+import org.jspecify.annotations.Nullable;
 
 import java.io.IOException;
 import java.io.PrintStream;
@@ -44,10 +47,12 @@ public final class GalleryCommand {
      * @param from first tick that is shown
      * @param to last tick that is shown
      * @param values parameters that differ from the scene's own
+     * @param view from where, or null for the scene's own
      */
-    public record Take(String scene, int from, int to, Map<String, Double> values) {
+    public record Take(
+            String scene, int from, int to, Map<String, Double> values, @Nullable SceneView view) {
         Take(String scene, int from, int to) {
-            this(scene, from, to, Map.of());
+            this(scene, from, to, Map.of(), null);
         }
 
         /** Copies the map. */
@@ -69,8 +74,13 @@ public final class GalleryCommand {
     public static final List<Take> TAKES =
             List.of(
                     new Take("junkyard", 0, 90),
-                    new Take("ragdolls", 0, 240, Map.of("figures", 4.0)),
-                    new Take("car", 0, 240),
+                    new Take(
+                            "ragdolls",
+                            0,
+                            120,
+                            Map.of("figures", 8.0),
+                            new SceneView(2.6, 3.6, 5.2, -1, 1.9, -0.6)),
+                    new Take("car", 40, 240, Map.of(), new SceneView(8.5, 2.6, 6.5, 5.5, 0.3, 0)),
                     new Take("bridge", 0, 200),
                     new Take("funnel", 0, 240),
                     new Take("terrain", 0, 120),
@@ -144,6 +154,9 @@ public final class GalleryCommand {
         SceneRun run = new SceneRun(scene, options, take.to(), Jobs.defaultWorkers(), SUBSTEPS);
         try (PhysicsWorld world = run.world()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
+            if (take.view() != null) {
+                built.view(take.view());
+            }
             try (Film film = new Film(built, WIDTH, HEIGHT, TICKS_PER_FRAME)) {
                 for (int tick = 1; tick <= take.to(); tick++) {
                     built.beforeTick();

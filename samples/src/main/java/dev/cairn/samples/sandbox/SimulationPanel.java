@@ -105,7 +105,8 @@ final class SimulationPanel {
         if (ui.button("Faster (])")) {
             sandbox.timeScale(Math.min(FASTEST, sandbox.timeScale() * 2));
         }
-        ui.value("time", text.clear().put(now.seconds, 2).put(" s, tick ").put(now.tick));
+        ui.value("time", text.clear().put(now.seconds, 2).put(" s"));
+        ui.value("tick", text.clear().put(now.tick));
         ui.value(
                 "bodies, contacts",
                 text.clear().put(now.bodies).put(", ").put(now.history.touching));
