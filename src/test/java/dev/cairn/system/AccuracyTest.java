@@ -95,7 +95,10 @@ final class AccuracyTest {
     @Tag("soak")
     @ParameterizedTest
     @ValueSource(
-            strings = {"B1", "C1", "C4", "C12", "D2", "E1", "E2-100", "E2-200", "E3-100", "E8"})
+            strings = {
+                "B1", "C1", "C4", "C12", "D2", "E1", "E2-100", "E2-200", "E3-100", "E8", "F1-1e6",
+                "F3-1e4", "F4"
+            })
     void holdsForLong(String name) {
         check(name);
     }

@@ -153,6 +153,45 @@ class GasTest {
     }
 
     /**
+     * A ball passes over an edge on its way to another ball, which a bullet takes away before: it
+     * meets nobody, and the edge does not turn it aside.
+     */
+    @Test
+    void whoMeetsNobodyAfterAllIsNotDeflected() {
+        for (double clearance : new double[] {1e-6, 1e-3, 1e-2}) {
+            try (PhysicsWorld world =
+                    PhysicsWorld.builder()
+                            .gravity(0, 0, 0)
+                            .workers(1)
+                            .settings(
+                                    PhysicsSettings.DEFAULT
+                                            .withSleeping(false)
+                                            .withRestitutionThreshold(0))
+                            .build()) {
+                BodyRef passes = world.add(ball(-0.3, 0, 0).velocity(20, 0, 0));
+                world.add(
+                        Body.fixed()
+                                .shape(Box.ofHalfExtents(0.05, 0.05, 0.05))
+                                .at(0, -RADIUS - clearance - 0.05, 0)
+                                .material(new Material(0, 1, 1000)));
+                BodyRef taken = world.add(ball(0.425, 0, 0));
+                world.add(ball(0.425, 0, -1).velocity(0, 0, 200));
+                world.step(Scenes.STEP);
+                assertEquals(200, taken.velocity().z, 1e-9);
+                assertEquals(new Vector3d(20, 0, 0), passes.velocity());
+            }
+        }
+    }
+
+    private static Body ball(double x, double y, double z) {
+        return Body.dynamic()
+                .shape(Sphere.of(RADIUS))
+                .mass(1)
+                .at(x, y, z)
+                .material(new Material(0, 1, 1000));
+    }
+
+    /**
      * Exact events of equal balls in a tick; their number, or -1 where rounding decides, or the
      * fast ball strikes nobody.
      */

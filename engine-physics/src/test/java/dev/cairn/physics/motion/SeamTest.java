@@ -98,7 +98,7 @@ class SeamTest {
             double[] d =
                     compare(
                             start,
-                            new TileRuns.Floor(tile, far, 0, -far / 3),
+                            new TileRuns.Floor(tile, far, 0, -far / 3, bond(random)),
                             new TileRuns.Floor(TileRuns.PLANE, far, 0, -far / 3),
                             TICKS);
             check("seed " + seed + " " + start + " tiles " + tile, d);
@@ -117,6 +117,11 @@ class SeamTest {
                 random.nextInt(4) == 0 ? 0 : .5 * random.nextDouble(),
                 random.nextDouble(),
                 random.nextDouble());
+    }
+
+    /** Tiles in rows one behind the other, or shifted. */
+    static double bond(Random random) {
+        return random.nextBoolean() ? 0 : random.nextDouble();
     }
 
     /** A tile from 0.1 to 10 m, but not thousands of them. */

@@ -8,6 +8,7 @@ import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.PhysicsWorldBuilder;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
@@ -18,11 +19,16 @@ import dev.cairn.physics.support.Scenes;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
+import java.util.Random;
+
 /** One body that crosses a floor, which is of tiles or one slab: the two must not differ. */
 final class TileRuns {
-    /** What crosses: ball, cube, slab-like box, capsule, cylinders, hull, compound. */
+    /**
+     * What crosses: ball, cube, slab-like box, capsule, cylinders, hull, compound, cone on its base,
+     * hull of corners anywhere.
+     */
     static final String[] KINDS = {
-        "ball", "cube", "brick", "capsule", "drum", "wheel", "hull", "compound"
+        "ball", "cube", "brick", "capsule", "drum", "wheel", "hull", "compound", "cone", "rock"
     };
 
     /** Half the thickness of a floor, m. */
@@ -45,8 +51,17 @@ final class TileRuns {
     /** In place of the size of tiles: one plane without end. */
     static final double PLANE = -1;
 
-    /** A floor of square tiles about an origin; a slab where the tiles are 0 m. */
-    record Floor(double tile, double x, double y, double z) {}
+    /**
+     * A floor of square tiles about an origin; a slab where the tiles are 0 m.
+     *
+     * @param bond by how much each row of tiles is shifted against the one before, as a share of a
+     *     tile: with one that is no whole number an edge meets the middle of another
+     */
+    record Floor(double tile, double x, double y, double z, double bond) {
+        Floor(double tile, double x, double y, double z) {
+            this(tile, x, y, z, 0);
+        }
+    }
 
     /** State after each tick: place, velocity, angular velocity, nine numbers a tick. */
     static double[] run(Start start, Floor floor, int ticks, PhysicsWorldBuilder builder) {
@@ -89,13 +104,14 @@ final class TileRuns {
         }
         double l = floor.tile;
         double reach = 3 * s.size + 2 * l;
-        for (int i = (int) Math.floor((s.startX + Math.min(0, dx) - reach) / l);
-                i <= (s.startX + Math.max(0, dx) + reach) / l;
-                i++) {
-            for (int j = (int) Math.floor((s.startZ + Math.min(0, dz) - reach) / l);
-                    j <= (s.startZ + Math.max(0, dz) + reach) / l;
-                    j++) {
-                double cx = (i + .5) * l;
+        for (int j = (int) Math.floor((s.startZ + Math.min(0, dz) - reach) / l);
+                j <= (s.startZ + Math.max(0, dz) + reach) / l;
+                j++) {
+            double shift = floor.bond * j;
+            for (int i = (int) Math.floor((s.startX + Math.min(0, dx) - reach) / l - shift);
+                    i <= (s.startX + Math.max(0, dx) + reach) / l - shift;
+                    i++) {
+                double cx = (i + .5 + shift) * l;
                 double cz = (j + .5) * l;
                 // within reach of the line of travel
                 double along = way == 0 ? 0 : ((cx - s.startX) * dx + (cz - s.startZ) * dz) / way;
@@ -144,6 +160,11 @@ final class TileRuns {
                 body.shape(hull(r));
                 height = 0;
             }
+            case "cone" -> body.shape(Cone.of(r, r));
+            case "rock" -> {
+                body.shape(rock(r));
+                height = 0;
+            }
             default -> {
                 body.collider(Collider.of(Box.cubeOfHalfExtent(.5 * r)).at(-.5 * r, 0, 0));
                 body.collider(Collider.of(Box.cubeOfHalfExtent(.5 * r)).at(.5 * r, 0, .2 * r));
@@ -161,7 +182,9 @@ final class TileRuns {
                             .rotationY(-s.headingRadians)
                             .mul(new Quaterniond().rotationX(Math.PI / 2));
         }
-        return body.material(new Material(s.friction, 0, 1000))
+        // of more than four corners four bear, and which do is a choice: friction would tell
+        double friction = s.kind.equals("rock") && corners(r) > 4 ? 0 : s.friction;
+        return body.material(new Material(friction, 0, 1000))
                 .at(floor.x + s.startX, floor.y + height, floor.z + s.startZ)
                 .rotation(q)
                 .velocity(vx, 0, vz)
@@ -181,6 +204,28 @@ final class TileRuns {
             points[at++] = wide * StrictMath.cos(a) * (low && i % 2 == 0 ? .7 : 1);
             points[at++] = low ? 0 : r;
             points[at++] = wide * StrictMath.sin(a);
+        }
+        return ConvexHull.of(points);
+    }
+
+    /** On how many corners a rock stands: 3 to 8, by its size. */
+    private static int corners(double r) {
+        return 3 + (int) (1e6 * r) % 6;
+    }
+
+    /** Three to eight corners on the ground, anywhere on a circle, and as many anywhere above. */
+    private static Shape rock(double r) {
+        Random random = new Random(Double.doubleToLongBits(r));
+        int low = corners(r);
+        int all = 2 * low;
+        double[] points = new double[3 * all];
+        for (int i = 0; i < all; i++) {
+            boolean stands = i < low;
+            double a = 2 * Math.PI * (i + .8 * random.nextDouble()) / low;
+            double wide = r * (stands ? 1 : random.nextDouble());
+            points[3 * i] = wide * StrictMath.cos(a);
+            points[3 * i + 1] = stands ? 0 : r * (.3 + random.nextDouble());
+            points[3 * i + 2] = wide * StrictMath.sin(a);
         }
         return ConvexHull.of(points);
     }

@@ -14,6 +14,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.samples.accuracy.AccuracyCase.Effort;
+import dev.cairn.samples.accuracy.AccuracyCase.Metric;
 
 import org.joml.Vector3d;
 
@@ -25,6 +26,12 @@ import java.util.SplittableRandom;
 final class Fast {
     private static final double G = Trial.GRAVITY;
 
+    private static final List<Metric> BULLETS =
+            List.of(
+                    metric("passed", "", 0),
+                    metric("passed the free wall", "", 0),
+                    metric("p of ball and free wall", "", 1e-12));
+
     private Fast() {}
 
     static List<AccuracyCase> cases() {
@@ -35,13 +42,20 @@ final class Fast {
                         "balls of r 0.01 m at 10 to 1e5 m/s against a fixed wall of 1 mm, 1000 of"
                                 + " random offsets; one against a wall of 1 kg that is free, e 1",
                         "none passes; p constant",
-                        List.of(
-                                metric("passed", "", 0),
-                                metric("passed the free wall", "", 0),
-                                metric("p of ball and free wall", "", 1e-12)),
+                        BULLETS,
                         "Box3D sweeps against what is fixed only, by default [catalogue]",
                         Effort.MEDIUM,
-                        Fast::bullets),
+                        trial -> bullets(trial, 1)),
+                new AccuracyCase(
+                        "F1-1e6",
+                        "a million bullets",
+                        "the same 1000 times: 1e6 balls against the fixed wall, 5e4 against one that"
+                                + " is free",
+                        "none passes; p constant",
+                        BULLETS,
+                        "",
+                        Effort.LONG,
+                        trial -> bullets(trial, 1000)),
                 new AccuracyCase(
                         "F2",
                         "time of impact",
@@ -65,7 +79,16 @@ final class Fast {
                         List.of(metric("missed", "", 0), metric("J", "", 0.01)),
                         "",
                         Effort.MEDIUM,
-                        Fast::rod),
+                        trial -> rod(trial, 200)),
+                new AccuracyCase(
+                        "F3-1e4",
+                        "ten thousand blows",
+                        "the same at 1e4 places",
+                        "the same",
+                        List.of(metric("missed", "", 0), metric("J", "", 0.01)),
+                        "",
+                        Effort.LONG,
+                        trial -> rod(trial, 10_000)),
                 new AccuracyCase(
                         "F4",
                         "gas in a box",
@@ -111,61 +134,75 @@ final class Fast {
                         Fast::misses));
     }
 
-    private static double[] bullets(Trial trial) {
+    /** Rounds of 1000 balls against what is fixed, and of 50 against what is free. */
+    private static double[] bullets(Trial trial, int rounds) {
         SplittableRandom random = new SplittableRandom(21);
-        double passed = 0;
-        for (double speed : new double[] {10, 100, 1e3, 1e4, 1e5}) {
-            try (PhysicsWorld world = trial.world(0, 0, 0)) {
-                world.add(Body.fixed().shape(Box.ofHalfExtents(0.0005, 10, 10)));
-                List<BodyRef> balls = new ArrayList<>();
-                for (int i = 0; i < 200; i++) {
-                    double far = 0.02 + random.nextDouble() * speed / 60;
-                    balls.add(
-                            world.add(
-                                    Body.dynamic()
-                                            .shape(Sphere.of(0.01))
-                                            .at(-far, 0.2 * (i % 20 - 10), 0.2 * (i / 20 - 5))
-                                            .velocity(speed, 0, 0)));
-                }
-                for (int tick = 0; tick < 4; tick++) {
-                    trial.step(world);
-                }
-                for (BodyRef ball : balls) {
-                    passed += ball.position().x > 0 ? 1 : 0;
+        double[] found = new double[3];
+        for (int round = 0; round < rounds; round++) {
+            for (double speed : new double[] {10, 100, 1e3, 1e4, 1e5}) {
+                found[0] += volley(trial, random, speed);
+            }
+            for (double speed : new double[] {10, 100, 1e3, 1e4, 1e5}) {
+                for (int i = 0; i < 10; i++) {
+                    strikeFreeWall(trial, random, speed, found);
                 }
             }
         }
-        double through = 0;
-        double worst = 0;
-        for (double speed : new double[] {10, 100, 1e3, 1e4, 1e5}) {
-            for (int i = 0; i < 10; i++) {
-                try (PhysicsWorld world = trial.bouncy(0)) {
-                    Material surface = Trial.surface(0, 1);
-                    BodyRef wall =
-                            world.add(
-                                    Body.dynamic()
-                                            .shape(Box.ofHalfExtents(0.0005, 1, 1))
-                                            .mass(1)
-                                            .material(surface));
-                    double far = 0.02 + random.nextDouble() * speed / 60;
-                    BodyRef ball =
-                            world.add(
-                                    Body.dynamic()
-                                            .shape(Sphere.of(0.01))
-                                            .mass(0.01)
-                                            .at(-far, 0, 0)
-                                            .velocity(speed, 0, 0)
-                                            .material(surface));
-                    for (int tick = 0; tick < 4; tick++) {
-                        trial.step(world);
-                    }
-                    double p = 0.01 * ball.velocity().x + wall.velocity().x;
-                    worst = Math.max(worst, Math.abs(p / (0.01 * speed) - 1));
-                    through += ball.position().x > wall.position().x ? 1 : 0;
-                }
+        return found;
+    }
+
+    /** Of 200 balls, how many pass a fixed wall. */
+    private static int volley(Trial trial, SplittableRandom random, double speed) {
+        int passed = 0;
+        try (PhysicsWorld world = trial.world(0, 0, 0)) {
+            world.add(Body.fixed().shape(Box.ofHalfExtents(0.0005, 10, 10)));
+            List<BodyRef> balls = new ArrayList<>();
+            for (int i = 0; i < 200; i++) {
+                double far = 0.02 + random.nextDouble() * speed / 60;
+                balls.add(
+                        world.add(
+                                Body.dynamic()
+                                        .shape(Sphere.of(0.01))
+                                        .at(-far, 0.2 * (i % 20 - 10), 0.2 * (i / 20 - 5))
+                                        .velocity(speed, 0, 0)));
+            }
+            for (int tick = 0; tick < 4; tick++) {
+                trial.step(world);
+            }
+            for (BodyRef ball : balls) {
+                passed += ball.position().x > 0 ? 1 : 0;
             }
         }
-        return new double[] {passed, through, worst};
+        return passed;
+    }
+
+    /** Counts who passes a free wall, and keeps the worst momentum, in places 1 and 2. */
+    private static void strikeFreeWall(
+            Trial trial, SplittableRandom random, double speed, double[] found) {
+        try (PhysicsWorld world = trial.bouncy(0)) {
+            Material surface = Trial.surface(0, 1);
+            BodyRef wall =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.ofHalfExtents(0.0005, 1, 1))
+                                    .mass(1)
+                                    .material(surface));
+            double far = 0.02 + random.nextDouble() * speed / 60;
+            BodyRef ball =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Sphere.of(0.01))
+                                    .mass(0.01)
+                                    .at(-far, 0, 0)
+                                    .velocity(speed, 0, 0)
+                                    .material(surface));
+            for (int tick = 0; tick < 4; tick++) {
+                trial.step(world);
+            }
+            double p = 0.01 * ball.velocity().x + wall.velocity().x;
+            found[1] += ball.position().x > wall.position().x ? 1 : 0;
+            found[2] = Math.max(found[2], Math.abs(p / (0.01 * speed) - 1));
+        }
     }
 
     private static double[] times(Trial trial) {
@@ -258,12 +295,12 @@ final class Fast {
                 - 0.2 * Math.abs(StrictMath.cos(spin * t));
     }
 
-    private static double[] rod(Trial trial) {
+    private static double[] rod(Trial trial, int places) {
         SplittableRandom random = new SplittableRandom(23);
         double missed = 0;
         double worst = 0;
         RodReference truth = new RodReference();
-        for (int i = 0; i < 200; i++) {
+        for (int i = 0; i < places; i++) {
             double x = 0.5 + 1.4 * random.nextDouble();
             // the rod meets the ball, whose side reaches this far ahead, not at once
             double ahead = StrictMath.asin(0.12 / x);
