@@ -13,7 +13,6 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Poses;
-import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.narrowphase.pair.Reach;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Placement;
@@ -55,9 +54,6 @@ final class CentreGuard {
     /** Of the inner radius: how far the centre stays away. */
     private static final double AWAY = 0.25;
 
-    /** Of one who answers, rad: beyond, nobody is looked at from it. */
-    private static final double TURN = 1;
-
     private final BlockJob bodiesJob = this::bodiesBlock;
     private final BlockJob rowsJob = this::rowsBlock;
 
@@ -70,7 +66,8 @@ final class CentreGuard {
     private final Placement surface = new Placement();
     private final Hit hit = new Hit();
     private final double[] box = new double[6];
-    private final double[] start = new double[3], turned = new double[4];
+    private final double[] start = new double[3];
+    private final TurningView view;
 
     private double[][] scratch = {};
     private int[] dynamic = {};
@@ -93,6 +90,7 @@ final class CentreGuard {
         this.contacts = contacts;
         this.bounds = bounds;
         halt = new Halt(colliders, edges);
+        view = new TurningView(colliders, bounds);
     }
 
     /**
@@ -295,11 +293,21 @@ final class CentreGuard {
         int body = colliders.body[part];
         if (!isDynamic(body)
                 || !(halt.isLoose(body) || isSeen)
+                || isWider(part, other)
                 // its whole has a row; a hook sees those of parts
                 || (!isHooked && colliders.isPart(part))) {
             return;
         }
         keepOut(part, other);
+    }
+
+    /**
+     * Whether another one that answers is the smaller one, whose centre it is that passes: from a
+     * ball that turns beside a wall, the middle of the wall seems to go round.
+     */
+    private boolean isWider(int part, int other) {
+        return isDynamic(colliders.body[other])
+                && colliders.outerRadius[part] > colliders.outerRadius[other];
     }
 
     /** Who has left its box meets what is in no pair with it. */
@@ -381,14 +389,15 @@ final class CentreGuard {
         // who was struck is looked at from there on
         double from = Math.max(late(part), late(other));
         double mine = since(part, from);
-        double its = moves(colliders.body[other]) ? since(other, from) : 0;
+        int body = colliders.body[other];
+        double its = view.moves(body) ? since(other, from) : 0;
         double endX = p.apartX(part, other);
         double endY = p.apartY(part, other);
         double endZ = p.apartZ(part, other);
         start[0] = endX - its * wayX(other) + mine * wayX(part);
         start[1] = endY - its * wayY(other) + mine * wayY(part);
         start[2] = endZ - its * wayZ(other) + mine * wayZ(part);
-        if (!turn(other, from)) {
+        if (!view.turn(body, from, step, impacts, start)) {
             return;
         }
         double wayX = endX - start[0];
@@ -414,53 +423,6 @@ final class CentreGuard {
     private double since(int c, double from) {
         double start = late(c);
         return from > start ? (1 - from) / (1 - start) : 1;
-    }
-
-    private boolean moves(int body) {
-        return colliders.bodies.kind[body] == BodyStore.DYNAMIC || colliders.bodies.isMoved(body);
-    }
-
-    /**
-     * Turns {@link #start} with the other body, which is looked at as it lies at the end.
-     *
-     * @param from share of the tick from which on it turns
-     * @return false if it turns too far for the chord to tell where one was seen from it
-     */
-    private boolean turn(int other, double from) {
-        BodyStore s = colliders.bodies;
-        int body = colliders.body[other];
-        double wx = s.angularVelocityX[body];
-        double wy = s.angularVelocityY[body];
-        double wz = s.angularVelocityZ[body];
-        double spin = length(wx, wy, wz);
-        double seconds = step * (1 - from);
-        if (!moves(body) || spin == 0) {
-            return true;
-        }
-        if (!(seconds * spin < TURN)) {
-            return s.kind[body] != BodyStore.DYNAMIC;
-        }
-        double[] q = turned;
-        if (impacts == null || !impacts.lay(body, from, q)) {
-            // of bodies of several shapes nothing was kept
-            if (from > 0 || s.collider[body] != body) {
-                Rotations.turn(wx, wy, wz, spin, seconds, q);
-                rotate(q[0], q[1], q[2], q[3]);
-                return true;
-            }
-            System.arraycopy(bounds.began, BoundsStage.POSE * body + 3, q, 0, 4);
-        }
-        rotate(-q[0], -q[1], -q[2], q[3]);
-        rotate(
-                s.orientationX[body],
-                s.orientationY[body],
-                s.orientationZ[body],
-                s.orientationW[body]);
-        return true;
-    }
-
-    private void rotate(double x, double y, double z, double w) {
-        Rotations.rotate(x, y, z, w, start[0], start[1], start[2], start);
     }
 
     /**

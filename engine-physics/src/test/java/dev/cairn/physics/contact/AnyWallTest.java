@@ -62,7 +62,7 @@ class AnyWallTest {
         int make = random.nextInt(5);
         int kind = random.nextInt(4);
         // triangles and tiles are not heavy and free; what has no end stays
-        boolean isFreeToo = (make == BOX || make == PARTS) && kind != JOINTED;
+        boolean isFreeToo = make == BOX || make == PARTS;
         int motion = make == ENDLESS ? 0 : random.nextInt(isFreeToo ? 3 : 2);
         double restitution = random.nextBoolean() ? random.nextDouble() : 0;
         double speed = StrictMath.pow(10, 1 + 3 * random.nextDouble());
