@@ -42,8 +42,7 @@ final class TurningView {
      * @param seen from the body's centre to the point, world axes, m; turned
      * @return false if the body turns too far
      */
-    boolean turn(
-            int body, double from, double step, @Nullable ImpactStage impacts, double[] seen) {
+    boolean turn(int body, double from, double step, @Nullable ImpactStage impacts, double[] seen) {
         BodyStore s = colliders.bodies;
         double wx = s.angularVelocityX[body];
         double wy = s.angularVelocityY[body];

@@ -24,8 +24,8 @@ import java.util.Random;
 /** One body that crosses a floor, which is of tiles or one slab: the two must not differ. */
 final class TileRuns {
     /**
-     * What crosses: ball, cube, slab-like box, capsule, cylinders, hull, compound, cone on its base,
-     * hull of corners anywhere.
+     * What crosses: ball, cube, slab-like box, capsule, cylinders, hull, compound, cone on its
+     * base, hull of corners anywhere.
      */
     static final String[] KINDS = {
         "ball", "cube", "brick", "capsule", "drum", "wheel", "hull", "compound", "cone", "rock"

@@ -25,6 +25,7 @@ import java.util.SplittableRandom;
 /** Group F of the table: what is fast or spins, and floors of pieces. */
 final class Fast {
     private static final double G = Trial.GRAVITY;
+    private static final double[] BULLET_SPEEDS = {10, 100, 1e3, 1e4, 1e5};
 
     private static final List<Metric> BULLETS =
             List.of(
@@ -49,8 +50,8 @@ final class Fast {
                 new AccuracyCase(
                         "F1-1e6",
                         "a million bullets",
-                        "the same 1000 times: 1e6 balls against the fixed wall, 5e4 against one that"
-                                + " is free",
+                        "the same 1000 times: 1e6 balls against the fixed wall, 5e4 against one"
+                                + " that is free",
                         "none passes; p constant",
                         BULLETS,
                         "",
@@ -139,10 +140,10 @@ final class Fast {
         SplittableRandom random = new SplittableRandom(21);
         double[] found = new double[3];
         for (int round = 0; round < rounds; round++) {
-            for (double speed : new double[] {10, 100, 1e3, 1e4, 1e5}) {
+            for (double speed : BULLET_SPEEDS) {
                 found[0] += volley(trial, random, speed);
             }
-            for (double speed : new double[] {10, 100, 1e3, 1e4, 1e5}) {
+            for (double speed : BULLET_SPEEDS) {
                 for (int i = 0; i < 10; i++) {
                     strikeFreeWall(trial, random, speed, found);
                 }
@@ -166,9 +167,7 @@ final class Fast {
                                         .at(-far, 0.2 * (i % 20 - 10), 0.2 * (i / 20 - 5))
                                         .velocity(speed, 0, 0)));
             }
-            for (int tick = 0; tick < 4; tick++) {
-                trial.step(world);
-            }
+            trial.run(world, 4 * Trial.TICK);
             for (BodyRef ball : balls) {
                 passed += ball.position().x > 0 ? 1 : 0;
             }
@@ -196,9 +195,7 @@ final class Fast {
                                     .at(-far, 0, 0)
                                     .velocity(speed, 0, 0)
                                     .material(surface));
-            for (int tick = 0; tick < 4; tick++) {
-                trial.step(world);
-            }
+            trial.run(world, 4 * Trial.TICK);
             double p = 0.01 * ball.velocity().x + wall.velocity().x;
             found[1] += ball.position().x > wall.position().x ? 1 : 0;
             found[2] = Math.max(found[2], Math.abs(p / (0.01 * speed) - 1));
