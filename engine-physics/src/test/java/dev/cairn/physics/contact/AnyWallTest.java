@@ -28,7 +28,7 @@ import java.util.SplittableRandom;
 /**
  * Nobody passes a wall of any make: bodies of one shape, of crossing parts, of parts that make one
  * shape, and two or more on joints; walls of a box, of triangles, of tiles, of several shapes, and
- * without end; fixed, driven, or free and heavy (not for those on joints); 1 to 300 mm, 10 to 1e4
+ * without end; fixed, driven, or free and heavy; 1 to 300 mm, 10 to 1e4
  * m/s.
  */
 class AnyWallTest {
