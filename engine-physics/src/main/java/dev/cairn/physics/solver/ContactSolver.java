@@ -272,6 +272,7 @@ public final class ContactSolver {
         if (bounces) {
             p.limit(sub, head, tail);
         }
+        p.joints.meet(sub, firstJoined, endJoined, own);
         for (int k = 0; k < sub.count; k++) {
             p.paceSides(sub, k, b);
             if (balls || (bounces && p.isFast(head, tail))) {

@@ -36,6 +36,14 @@ final class JointPasses {
         this.refresh = refresh;
     }
 
+    /** The begin of a tick, before impacts. */
+    void meet(SubStep sub, int from, int to, Workbench bench) {
+        for (int a = from; a < to; a++) {
+            open(sub, a, bench);
+            bench.joints.begin(sub);
+        }
+    }
+
     /**
      * Joints' impulses of the last sub-step, for contacts to be swept with.
      *
@@ -45,9 +53,6 @@ final class JointPasses {
     void begin(SubStep sub, int index, int from, int to, Workbench bench) {
         for (int a = from; a < to; a++) {
             open(sub, a, bench);
-            if (index == 0) {
-                bench.joints.begin(sub);
-            }
             bench.joints.account(sub);
             bench.joints.warm(index == 0 ? sub.fillScale : 1);
             show(assemblies.at(a));

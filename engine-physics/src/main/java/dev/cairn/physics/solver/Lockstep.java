@@ -214,6 +214,9 @@ final class Lockstep {
 
     private void begin(int bodyBlocks, Jobs jobs) {
         Passes p = passes;
+        if (substep == 0) {
+            joints.meet(jobs);
+        }
         if (meets) {
             int end = endPlace(domains - 1);
             p.impacts(pace, base, firstBody(), endBody(), firstPlace(-1), end, benches[0]);

@@ -12,6 +12,7 @@ import dev.cairn.physics.solver.row.SubStep;
  */
 final class LockstepJoints {
     private final Passes passes;
+    private final BlockJob meet = this::meet;
     private final BlockJob begin = this::begin;
     private final BlockJob close = this::close;
     private final BlockJob place = this::place;
@@ -47,6 +48,11 @@ final class LockstepJoints {
         return count > 0;
     }
 
+    /** The begin of a tick, before impacts. */
+    void meet(Jobs jobs) {
+        jobs.run(meet, count);
+    }
+
     /** Before the bias pass of a sub-step. */
     void begin(int ofSubstep, Jobs jobs) {
         substep = ofSubstep;
@@ -76,6 +82,11 @@ final class LockstepJoints {
     private void begin(int block, int worker) {
         int a = first + block;
         passes.joints.begin(pace, substep, a, a + 1, benches[worker]);
+    }
+
+    private void meet(int block, int worker) {
+        int a = first + block;
+        passes.joints.meet(pace, a, a + 1, benches[worker]);
     }
 
     private void close(int block, int worker) {

@@ -118,6 +118,22 @@ final class LawsTest {
         }
     }
 
+    /**
+     * Machines whose joints were open by 0.03 to 0.4 of their bodies after a blow: what a sub-step
+     * opens was closed over some ticks, and what an impact shifts counted as an old gap.
+     */
+    @ParameterizedTest(name = "world {0}")
+    @CsvSource({
+        "6, 12", "84, 44", "171, 20", "187, 44", "216, 76", "228, 96", "246, 44", "279, 22"
+    })
+    void machinesKeepTogether(int world, int ticks) {
+        FuzzWorld fuzz = WorldGenerator.world(1, world, Family.MACHINE);
+        Map<Law, Breach> broken = Laws.broken(fuzz.lasting(ticks, 4), false);
+        for (Law law : List.of(Law.ENERGY, Law.WALLS, Law.SINK, Law.GAP, Law.FINITE)) {
+            assertNull(broken.get(law), law + " of seed 1");
+        }
+    }
+
     /** What spins and bounces, or turns more than once a tick, gains: {@code docs/laws.md}. */
     private static boolean holds(FuzzWorld fuzz) {
         return fuzz.scene().entities().stream()

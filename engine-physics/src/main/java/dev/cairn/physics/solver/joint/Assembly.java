@@ -150,6 +150,9 @@ public final class Assembly {
     /** By row: impulse in work. */
     final double[] impulse;
 
+    /** By row: what it measured when the sub-step began, before it was moved. */
+    final double[] begun;
+
     /**
      * Edges of its contacts with what does not move, by the list of the tick; how many there are.
      */
@@ -259,6 +262,7 @@ public final class Assembly {
         carried = new double[CARRIED * body.length];
         taut = new double[9 * body.length];
         kept = new double[KEPT * body.length];
+        begun = new double[n];
         press = new double[SolverBodies.HALF * body.length];
     }
 }

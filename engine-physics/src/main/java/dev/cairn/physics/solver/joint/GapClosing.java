@@ -19,6 +19,9 @@ abstract class GapClosing extends HoldingRows {
     /** The same of what stands on something: blows open joints far, and one at a time. */
     private static final double CLOSELY_STANDING = 1e-8;
 
+    /** The most that a joint has opened by in the sub-step, over its size, or rad. */
+    private double opened;
+
     private final double[] turn = new double[3];
     private final InnerMotion inner = new InnerMotion();
 
@@ -31,6 +34,7 @@ abstract class GapClosing extends HoldingRows {
      */
     void close() {
         boolean isNoted = false;
+        opened = 0;
         double closely = s.standCount > 0 ? CLOSELY_STANDING : CLOSELY;
         for (int round = 0; round < (s.isDirect ? CLOSINGS : 1); round++) {
             double worst = gaps(round == 0);
@@ -75,9 +79,9 @@ abstract class GapClosing extends HoldingRows {
     }
 
     /**
-     * Writes what is open to {@link Assembly#now}; the worst, over its size. A step closes what the
-     * allowed speeds can, and of what stands on something no less than what the bodies' own turn
-     * may have opened: {@code w h}.
+     * Writes what is open to {@link Assembly#now}; the worst, over its size. A step closes what it
+     * has opened itself, and of what was open before as much as the allowed speeds can; of what
+     * stands on something no less than what the bodies' own turn may have opened: {@code w h}.
      */
     double gaps(boolean begins) {
         double worst = 0;
@@ -97,12 +101,21 @@ abstract class GapClosing extends HoldingRows {
                 }
                 // what is far apart is drawn nearer only once
                 double most = Math.max(reach(isAngle), isAngle ? turned : turned * size);
+                double by = begins ? opened(r, isAngle, size) : opened;
+                opened = gap == 0 ? opened : Math.max(opened, by);
+                most += isAngle ? by : by * size;
                 gap = begins || Math.abs(gap) < most ? within(gap, most) : 0;
                 worst = Math.max(worst, Math.abs(isAngle ? gap : gap / size));
                 s.now[r] = gap;
             }
         }
         return worst;
+    }
+
+    /** What a row has opened by since the sub-step began, over its joint's size, or rad. */
+    private double opened(int r, boolean isAngle, double size) {
+        double way = s.isDirect ? s.start[r] - s.begun[r] : 0;
+        return Math.abs(isAngle ? Angles.wrap(way) : way / size);
     }
 
     /** Angle by which the body at one end of a joint turns in the sub-step; 0 if it is fixed. */
@@ -151,8 +164,8 @@ abstract class GapClosing extends HoldingRows {
             double angle = SolverBodies.norm(turn[0], turn[1], turn[2]);
             double turned = turned(body, s.body[n]);
             double size = tick.bodies.outerRadius[s.body[n]];
-            part = cut(part, way, Math.max(reach(false), turned * size));
-            part = cut(part, angle, Math.max(reach(true), turned));
+            part = cut(part, way, Math.max(reach(false), turned * size) + opened * size);
+            part = cut(part, angle, Math.max(reach(true), turned) + opened);
         }
         for (int n = 0; n < s.body.length; n++) {
             int i = s.body[n];

@@ -143,9 +143,15 @@ public final class JointSolve extends PositionTrial {
         s.isFresh = false;
     }
 
-    /** Begin of a tick: bodies may be elsewhere, and weigh otherwise. */
+    /**
+     * Begin of a tick: bodies may be elsewhere, and weigh otherwise. Before impacts, which shift
+     * who is struck by what he would have moved until then: that is no gap.
+     */
     public void begin(SubStep sub) {
         choose();
+        if (!s.isNet) {
+            derive();
+        }
         s.keeps = JointEnergy.keeps(tick, store, s);
         findDrives();
         s.parts = s.isDirect ? Tension.parts(s, sub.seconds * tension.quickest(tick, store, s)) : 1;

@@ -57,6 +57,7 @@ abstract class VelocityHalf extends JointWork {
      * @param counts whether what is found are the impulses of the sub-step
      */
     public void beginVelocity(boolean warm, boolean counts) {
+        System.arraycopy(s.start, 0, s.begun, 0, s.start.length);
         s.isFresh = false;
         derive();
         activate(false);
