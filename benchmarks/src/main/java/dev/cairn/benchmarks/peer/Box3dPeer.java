@@ -33,7 +33,6 @@ import java.lang.invoke.MethodHandle;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 
 /**
  * Box3D by {@code java.lang.foreign}, from the shared library that the system property {@value
@@ -57,11 +56,6 @@ final class Box3dPeer implements Peer {
     private static final MemoryLayout WORLD_DEF = structLayout(sequenceLayout(18, JAVA_LONG));
     private static final MemoryLayout BODY_DEF = structLayout(sequenceLayout(13, JAVA_LONG));
     private static final MemoryLayout SHAPE_DEF = structLayout(sequenceLayout(15, JAVA_LONG));
-    private static final Map<Link.Kind, MemoryLayout> JOINT_DEF =
-            Map.of(
-                    Link.Kind.BALL, structLayout(sequenceLayout(23, JAVA_LONG)),
-                    Link.Kind.HINGE, structLayout(sequenceLayout(19, JAVA_LONG)),
-                    Link.Kind.ROD, structLayout(sequenceLayout(20, JAVA_LONG)));
     private static final int MOST_HULL_VERTICES = 255;
 
     private final Arena arena = Arena.ofConfined();
@@ -185,8 +179,16 @@ final class Box3dPeer implements Peer {
                     case HINGE -> "Revolute";
                     case ROD -> "Distance";
                 };
+        int longs =
+                switch (link.kind()) {
+                    case BALL -> 23;
+                    case HINGE -> 19;
+                    case ROD -> 20;
+                };
         MemorySegment definition =
-                defaults("b3Default%sJointDef".formatted(kind), JOINT_DEF.get(link.kind()));
+                defaults(
+                        "b3Default%sJointDef".formatted(kind),
+                        structLayout(sequenceLayout(longs, JAVA_LONG)));
         definition.set(JAVA_LONG, 8, bodies[link.a()]);
         definition.set(JAVA_LONG, 16, bodies[link.b()]);
         Quaterniond theirs = new Quaterniond(0.5, 0.5, 0.5, 0.5);

@@ -1,5 +1,7 @@
 package dev.cairn.benchmarks.peer;
 
+import static java.util.Objects.requireNonNull;
+
 import dev.cairn.physics.joint.AxisState;
 import dev.cairn.physics.joint.JointAxis;
 import dev.cairn.physics.joint.JointRef;
@@ -70,8 +72,8 @@ public record Link(
                             + ": other engines are given balls, hinges and rods without limits,"
                             + " motors and springs, whose bodies do not collide");
         }
-        int a = indexOf.get(joint.entityA());
-        int b = indexOf.get(joint.entityB());
+        int a = requireNonNull(indexOf.get(joint.entityA()), "body A");
+        int b = requireNonNull(indexOf.get(joint.entityB()), "body B");
         return new Link(
                 Kind.valueOf(joint.kind().toUpperCase(Locale.ROOT)),
                 a,

@@ -28,8 +28,7 @@ import java.util.SplittableRandom;
 /**
  * Nobody passes a wall of any make: bodies of one shape, of crossing parts, of parts that make one
  * shape, and two or more on joints; walls of a box, of triangles, of tiles, of several shapes, and
- * without end; fixed, driven, or free and heavy; 1 to 300 mm, 10 to 1e4
- * m/s.
+ * without end; fixed, driven, or free and heavy; 1 to 300 mm, 10 to 1e4 m/s.
  */
 class AnyWallTest {
     private static final int BOX = 0, TRIANGLES = 1, TILES = 2, PARTS = 3, ENDLESS = 4;
