@@ -70,6 +70,7 @@ public final class EditorFiles {
             }
             if (!target.equals(document.file())
                     && Files.exists(target)
+                    && !Files.isDirectory(target)
                     && !confirmed("save " + target)) {
                 editor.fail(target + " is there already; save once more to replace it");
                 return;

@@ -10,8 +10,12 @@ import dev.cairn.render.camera.Light;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -27,7 +31,7 @@ public final class SceneWriter {
 
     /**
      * Writes a file, through a neighbour that is renamed at the end, so that a full disk does not
-     * cost the old file.
+     * cost the old file. A folder of that name stays.
      *
      * @param scene what to write
      * @param file where
@@ -37,13 +41,30 @@ public final class SceneWriter {
         Path whole = file.toAbsolutePath();
         Path part = whole.resolveSibling(whole.getFileName() + ".part");
         try {
-            Files.writeString(part, text(scene));
-            Files.move(part, whole, java.nio.file.StandardCopyOption.REPLACE_EXISTING);
+            if (Files.isDirectory(whole)) {
+                // An empty one would be replaced.
+                throw new FileSystemException(whole.toString(), null, "it is a folder");
+            }
+            try {
+                Files.writeString(part, text(scene));
+                Files.move(part, whole, StandardCopyOption.REPLACE_EXISTING);
+            } finally {
+                Files.deleteIfExists(part);
+            }
         } catch (IOException unwritable) {
             throw new UncheckedIOException(
-                    "the scene %s was not saved: %s".formatted(file, unwritable.getMessage()),
-                    unwritable);
+                    "the scene %s was not saved: %s".formatted(file, why(unwritable)), unwritable);
         }
+    }
+
+    /** Of the commonest the message is the path alone. */
+    private static String why(IOException unwritable) {
+        return switch (unwritable) {
+            case NoSuchFileException none -> "there is no such folder";
+            case AccessDeniedException denied -> "it may not be written there";
+            case FileSystemException other when other.getReason() != null -> other.getReason();
+            default -> String.valueOf(unwritable.getMessage());
+        };
     }
 
     /**

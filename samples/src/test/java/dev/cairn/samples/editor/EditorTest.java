@@ -34,6 +34,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 
 /** What the editor does, without a window. */
 class EditorTest {
@@ -208,6 +209,26 @@ class EditorTest {
         editor.files().save("theirs.json");
         assertFalse(editor.isWrong(), editor.message());
         assertEquals(editor.scene(), SceneReader.read(folder.resolve("theirs.json")));
+    }
+
+    @Test
+    void whereASceneCannotBeWrittenIsToldAndNothingIsLeft() throws IOException {
+        Files.createDirectory(folder.resolve("empty.json"));
+        Files.createDirectories(folder.resolve("full.json/within"));
+        refuses("empty.json", "it is a folder");
+        refuses("full.json", "it is a folder");
+        refuses("none/x.json", "there is no such folder");
+        refuses("x".repeat(300) + ".json", "File name too long");
+        refuses("nul\0.json", "Nul");
+        try (Stream<Path> left = Files.list(folder)) {
+            assertEquals(2, left.count(), "the two folders");
+        }
+    }
+
+    private void refuses(String name, String why) {
+        editor.files().save(name);
+        assertTrue(editor.isWrong(), name);
+        assertTrue(editor.message().contains(why), editor.message());
     }
 
     @Test

@@ -174,8 +174,14 @@ public final class FileChooser {
     }
 
     private @Nullable Path named() {
+        String typed = saveName.strip();
         try {
-            Path whole = folder.resolve(saveName.strip());
+            Path whole = folder.resolve(typed).normalize();
+            // "", "..", "/": with an ending behind it that would be a file somewhere else.
+            if (typed.endsWith("/") || folder.startsWith(whole)) {
+                problem = "\"%s\" is a folder; type the name of a file".formatted(typed);
+                return null;
+            }
             shown = false;
             return whole;
         } catch (InvalidPathException broken) {

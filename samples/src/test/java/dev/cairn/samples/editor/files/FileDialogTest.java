@@ -150,6 +150,25 @@ class FileDialogTest {
         assertTrue(dialog.dismiss());
     }
 
+    /** With an ending behind it each of these would be a file somewhere else. */
+    @Test
+    void aNameThatIsAFolderIsToldAndTheListStays(@TempDir Path folder) {
+        clicked = FileChooser.SAVE;
+        for (String name : List.of("", " ", ".", "..", "../..", "/", "below/", "below/..")) {
+            FileDialog dialog = new FileDialog(null);
+            dialog.save("save", folder, ".json", name);
+            assertNull(dialog.draw(ui), name);
+            assertTrue(dialog.isListShown(), name);
+            said.clear();
+            dialog.draw(ui);
+            assertTrue(said.toString().contains("is a folder"), name + ": " + said);
+        }
+        FileDialog dialog = new FileDialog(null);
+        dialog.save("save", folder, ".json", "below/../a b");
+        assertEquals(new Taken(folder.resolve("a b.json"), true), dialog.draw(ui));
+        assertFalse(dialog.isListShown());
+    }
+
     @Test
     void nothingIsAskedOfADesktopWhereThePropertySaysSo() {
         String before = System.getProperty(NativeDialog.PROPERTY);
