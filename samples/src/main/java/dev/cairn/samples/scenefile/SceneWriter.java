@@ -60,8 +60,8 @@ public final class SceneWriter {
     /** Of the commonest the message is the path alone. */
     private static String why(IOException unwritable) {
         return switch (unwritable) {
-            case NoSuchFileException none -> "there is no such folder";
-            case AccessDeniedException denied -> "it may not be written there";
+            case NoSuchFileException _ -> "there is no such folder";
+            case AccessDeniedException _ -> "it may not be written there";
             case FileSystemException other when other.getReason() != null -> other.getReason();
             default -> String.valueOf(unwritable.getMessage());
         };
