@@ -27,9 +27,16 @@ import java.util.Objects;
  *
  * <pre>
  *   sort  ─▶ rows: touching or slow; not closing within the tick; closing; in blocks of rows
- *   sweep ─▶ closing rows of bodies that touch nothing: first meeting, or none
+ *   tie   ─▶ closing rows of bodies that touch others: these meet somebody
+ *   sweep ─▶ closing rows of bodies that touch nothing: first meeting, or none; or left open
+ *   close ─▶ those that were left open, if the answer can change what is dropped
  *   drop  ─▶ those that do not meet, of bodies that meet nobody: their motion is free
  * </pre>
+ *
+ * <p>A search for a meeting is dear, and in a falling heap most would be for nothing: a row is
+ * dropped only if neither of its bodies meets anybody. So one of a body that is known to meet
+ * somebody is left open, and looked at only if the other body has a row that may be dropped unless
+ * they meet. What is dropped does not hang on the order in which rows are looked at.
  *
  * <p>Between points and solve. Several workers may mark one body, all with the same mark.
  * Simulation thread; allocates only when something grows.
@@ -54,7 +61,10 @@ public final class SweepStage {
     private static final byte MISSING = 3;
     private static final byte LOST = 4;
     private static final byte SLOW = 5;
+    private static final byte OPEN = 6;
 
+    private final BlockJob tieJob = this::tieBlock;
+    private final BlockJob closeJob = this::closeBlock;
     private final BlockJob sortJob = this::sortBlock;
     private final BlockJob sweepJob = this::sweepBlock;
     private final BlockJob dropJob = this::dropBlock;
@@ -83,6 +93,9 @@ public final class SweepStage {
 
     /** By body: it meets somebody within the tick. */
     private boolean[] meets = {};
+
+    /** By body: it has a row that is dropped unless one of its bodies meets somebody. */
+    private boolean[] misses = {};
 
     private SweptPair[] pairs = {};
 
@@ -133,6 +146,7 @@ public final class SweepStage {
         if (bound.length < slots) {
             bound = new byte[slots + (slots >> 1)];
             meets = new boolean[bound.length];
+            misses = new boolean[bound.length];
             slow = new boolean[bound.length];
         }
         Arrays.fill(bound, 0, slots, (byte) 0);
@@ -146,6 +160,7 @@ public final class SweepStage {
             return;
         }
         Arrays.fill(meets, 0, slots, false);
+        Arrays.fill(misses, 0, slots, false);
         bindOthers(slots);
         points.use(contacts);
         if (pairs.length < jobs.workers()) {
@@ -163,7 +178,9 @@ public final class SweepStage {
             impacts = new ImpactStage(colliders, contacts, own);
         }
         impacts.begin(bound, step, reach);
+        jobs.run(tieJob, blocks);
         jobs.run(sweepJob, blocks);
+        jobs.run(closeJob, blocks);
         jobs.run(dropJob, blocks);
     }
 
@@ -319,51 +336,107 @@ public final class SweepStage {
         return vx * c.normalX(row) + vy * c.normalY(row) + vz * c.normalZ(row) + turn / step;
     }
 
-    private void sweepBlock(int block, int worker) {
+    private void tieBlock(int block, int worker) {
         ContactStore c = contacts;
+        int begin = Blocks.begin(block, ROWS_PER_BLOCK);
+        int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
+        Arrays.fill(when, begin, end, Double.POSITIVE_INFINITY);
         if (closing[block] == 0) {
-            Arrays.fill(
-                    when,
-                    Blocks.begin(block, ROWS_PER_BLOCK),
-                    Blocks.end(block, ROWS_PER_BLOCK, c.activeCount),
-                    Double.POSITIVE_INFINITY);
             return;
         }
+        SweptPair pair = pairs[worker];
+        ImpactStage stage = Objects.requireNonNull(impacts);
+        for (int i = begin; i < end; i++) {
+            int row = c.active[i];
+            if (state[i] != CLOSING || (isFree(c.bodyA[row]) && isFree(c.bodyB[row]))) {
+                continue;
+            }
+            state[i] = TOUCHING;
+            setMeets(row);
+            if (isVeryFast(stage, row) && stage.fits(row) && pair.meet(row, step)) {
+                when[i] = pair.time();
+            }
+        }
+    }
+
+    private void sweepBlock(int block, int worker) {
+        if (closing[block] == 0) {
+            return;
+        }
+        ContactStore c = contacts;
         SweptPair pair = pairs[worker];
         ImpactStage stage = Objects.requireNonNull(impacts);
         int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = c.active[i];
-            when[i] = Double.POSITIVE_INFINITY;
             if (state[i] != CLOSING) {
                 continue;
             }
-            if (!isFree(c.bodyA[row]) || !isFree(c.bodyB[row])) {
-                state[i] = TOUCHING;
-                meets[c.bodyA[row]] = true;
-                meets[c.bodyB[row]] = true;
-                if (isVeryFast(stage, row) && stage.fits(row) && pair.meet(row, step)) {
-                    when[i] = pair.time();
-                }
+            if (pair.pass(row, step)) {
+                setMisses(i, row);
                 continue;
             }
             boolean isVeryFast = isVeryFast(stage, row);
-            if (!isVeryFast && pair.meetSometime(row, step)) {
-                meets[c.bodyA[row]] = true;
-                meets[c.bodyB[row]] = true;
+            if (!isVeryFast && !areAlone(row) && pair.isShort()) {
+                state[i] = OPEN;
                 continue;
             }
-            boolean meet = pair.meet(row, step);
-            if (meet || pair.isUndecided()) {
-                when[i] = isVeryFast ? pair.time() : when[i];
-                state[i] = meet ? CLOSING : LOST;
-                meets[c.bodyA[row]] = true;
-                meets[c.bodyB[row]] = true;
-                pair.collideThere(row, reach);
-            } else {
-                state[i] = MISSING;
+            sweep(i, row, isVeryFast, pair);
+        }
+    }
+
+    /** Looks at rows that were left open if one of their bodies has a row that may be dropped. */
+    private void closeBlock(int block, int worker) {
+        if (closing[block] == 0) {
+            return;
+        }
+        ContactStore c = contacts;
+        int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            int row = c.active[i];
+            if (state[i] == OPEN && (isWaiting(c.bodyA[row]) || isWaiting(c.bodyB[row]))) {
+                sweep(i, row, false, pairs[worker]);
             }
         }
+    }
+
+    private void sweep(int i, int row, boolean isVeryFast, SweptPair pair) {
+        if (!isVeryFast && pair.meetSometime(row, step)) {
+            state[i] = CLOSING;
+            setMeets(row);
+            return;
+        }
+        boolean meet = pair.meet(row, step);
+        if (meet || pair.isUndecided()) {
+            when[i] = isVeryFast ? pair.time() : when[i];
+            state[i] = meet ? CLOSING : LOST;
+            setMeets(row);
+            pair.collideThere(row, reach);
+        } else {
+            setMisses(i, row);
+        }
+    }
+
+    private void setMeets(int row) {
+        meets[contacts.bodyA[row]] = true;
+        meets[contacts.bodyB[row]] = true;
+    }
+
+    private void setMisses(int i, int row) {
+        state[i] = MISSING;
+        if (areAlone(row)) {
+            misses[contacts.bodyA[row]] = true;
+            misses[contacts.bodyB[row]] = true;
+        }
+    }
+
+    /** Whether what a body does not meet may hang on whether it meets somebody else. */
+    private boolean isWaiting(int body) {
+        return colliders.bodies.kind[body] == BodyStore.DYNAMIC && !meets[body] && misses[body];
+    }
+
+    private boolean areAlone(int row) {
+        return isAlone(contacts.bodyA[row]) && isAlone(contacts.bodyB[row]);
     }
 
     private void dropBlock(int block, int worker) {
@@ -374,7 +447,7 @@ public final class SweepStage {
         int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = c.active[i];
-            if (state[i] == MISSING && isAlone(c.bodyA[row]) && isAlone(c.bodyB[row])) {
+            if (state[i] == MISSING && areAlone(row)) {
                 c.disable(row);
             }
         }

@@ -104,15 +104,41 @@ final class SweptPair implements MovingPair {
     }
 
     /**
+     * Whether the colliders of a row surely pass each other within a tick: a plane across the
+     * contact's normal stays between them, by more than that within which a search gives up. False
+     * says nothing.
+     */
+    boolean pass(int row, double stepSeconds) {
+        setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
+        return search.arePassing(
+                a,
+                b,
+                fromX,
+                fromY,
+                fromZ,
+                step,
+                met + 2 * NEAR * size,
+                contacts.normalX(row),
+                contacts.normalY(row),
+                contacts.normalZ(row));
+    }
+
+    /**
+     * Whether the way of the two looked at last is shorter than they are thick, so that {@link
+     * #collideThere} leaves their row as it is.
+     */
+    boolean isShort() {
+        return search.fastest() * step <= inner();
+    }
+
+    /**
      * Whether the colliders of a row, which are apart, surely meet within a tick at a time that
-     * nobody needs to know: they overlap at its end, and their way is shorter than they are thick,
-     * so that {@link #collideThere} leaves the row as it is. False says nothing.
+     * nobody needs to know: they overlap at its end, and their way {@link #isShort}. False says
+     * nothing.
      */
     boolean meetSometime(int row, double stepSeconds) {
         setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
-        return met == exact
-                && search.haveMet(a, b, fromX, fromY, fromZ, step, met)
-                && search.fastest() * step <= inner();
+        return met == exact && search.haveMet(a, b, fromX, fromY, fromZ, step, met) && isShort();
     }
 
     @Override

@@ -1,6 +1,7 @@
 package dev.cairn.physics.sweep;
 
 import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.pair.Reach;
 
 /**
  * The first time at which two convex shapes touch, each on its {@link Flight}.
@@ -43,6 +44,7 @@ public final class FirstMeeting {
     private static final double MOST_BOLD = 0x1p12;
 
     private final NarrowPhase narrowPhase;
+    private final Reach reach = new Reach();
     private final int mostSteps, mostInAll;
     private final double near;
 
@@ -154,6 +156,58 @@ public final class FirstMeeting {
         set(first, second, x, y, z, nearer);
         until = later;
         return look(later) <= 0;
+    }
+
+    /**
+     * Whether two are held apart by an axis that does not turn: the case n1 = n0 of the second
+     * proof above, by four support functions in place of distances. Costs a fraction of a search,
+     * and decides most pairs that pass each other.
+     *
+     * @param first the shape a, one that {@link Reach} fits
+     * @param second the shape b, one that {@link Reach} fits
+     * @param x from a's centre to b's at the start, world, m
+     * @param y see {@code x}
+     * @param z see {@code x}
+     * @param later when it ends, s; it begins at 0
+     * @param nearer nearer than that counts as met, m, at least 0
+     * @param nx unit axis from a to b, world
+     * @param ny see {@code nx}
+     * @param nz see {@code nx}
+     * @return false says nothing
+     */
+    public boolean arePassing(
+            Flight first,
+            Flight second,
+            double x,
+            double y,
+            double z,
+            double later,
+            double nearer,
+            double nx,
+            double ny,
+            double nz) {
+        set(first, second, x, y, z, nearer);
+        time = 0;
+        axisX = nx;
+        axisY = ny;
+        axisZ = nz;
+        nextX = nx;
+        nextY = ny;
+        nextZ = nz;
+        double last = along(later);
+        double now = last > 0 ? along(0) : last;
+        return now > 0 && isFree(later, now, last);
+    }
+
+    /** How much farther apart than met they are along the axis at a time, at least. */
+    private double along(double t) {
+        a.move(t);
+        b.move(t);
+        double centres = axisX * apartX() + axisY * apartY() + axisZ * apartZ();
+        reach.set(a.shape, a.qx, a.qy, a.qz, a.qw);
+        double ofA = reach.along(axisX, axisY, axisZ);
+        reach.set(b.shape, b.qx, b.qy, b.qz, b.qw);
+        return centres - ofA - reach.along(-axisX, -axisY, -axisZ) - met;
     }
 
     private void set(Flight first, Flight second, double x, double y, double z, double nearer) {

@@ -9,6 +9,8 @@ import dev.cairn.physics.shape.Box;
 
 import org.junit.jupiter.api.Test;
 
+import java.util.SplittableRandom;
+
 /** A box that spins a hand's breadth above a plane: how long its corner takes to get there. */
 class FirstMeetingTest {
     private static final double SECONDS = 1.0 / 60;
@@ -47,5 +49,70 @@ class FirstMeetingTest {
         // and it is not where it is slow enough to be followed
         FirstMeeting slow = look(height, 0, 100);
         assertFalse(slow.isUndecided);
+    }
+
+    @Test
+    void whoIsHeldApartByAnAxisDoesNotMeet() {
+        long seed = 20;
+        SplittableRandom random = new SplittableRandom(seed);
+        int passing = 0;
+        int meeting = 0;
+        for (int i = 0; i < 4000; i++) {
+            FirstMeeting search = new FirstMeeting(new NarrowPhase(), 128, 0x1p-16, MOST);
+            Flight a = tumbling(random);
+            Flight b = tumbling(random);
+            double[] from = direction(random);
+            double far = random.nextDouble(0.8, 1.8);
+            double x = far * from[0];
+            double y = far * from[1];
+            double z = far * from[2];
+            double[] n = direction(random);
+            for (int k = 0; k < 3; k++) {
+                n[k] = from[k] + 0.3 * n[k];
+            }
+            double s = 1 / Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+            boolean passes =
+                    search.arePassing(a, b, x, y, z, SECONDS, 1e-9, s * n[0], s * n[1], s * n[2]);
+            boolean meets = search.find(a, b, x, y, z, 0, SECONDS, 0, 1);
+            String which = "seed " + seed + ", run " + i;
+            assertFalse(passes && (meets || search.isUndecided), which);
+            passing += passes ? 1 : 0;
+            meeting += meets ? 1 : 0;
+        }
+        assertTrue(passing > 1000, "passing " + passing + ", seed " + seed);
+        assertTrue(meeting > 1000, "meeting " + meeting + ", seed " + seed);
+    }
+
+    /** A box of about a metre that tumbles by up to half a radian a tick, and flies as far. */
+    private static Flight tumbling(SplittableRandom random) {
+        Flight f = new Flight();
+        double x = random.nextDouble(0.1, 0.5);
+        double y = random.nextDouble(0.1, 0.5);
+        double z = random.nextDouble(0.1, 0.5);
+        f.shape = Box.ofHalfExtents(x, y, z);
+        double[] v = direction(random);
+        double[] w = direction(random);
+        double speed = random.nextDouble(30);
+        double spin = random.nextDouble(30);
+        f.vx = speed * v[0];
+        f.vy = speed * v[1];
+        f.vz = speed * v[2];
+        f.wx = spin * w[0];
+        f.wy = spin * w[1];
+        f.wz = spin * w[2];
+        f.ay = -random.nextDouble(100);
+        double[] axis = direction(random);
+        double half = random.nextDouble(Math.PI);
+        double s = Math.sin(half);
+        f.turned(s * axis[0], s * axis[1], s * axis[2], Math.cos(half));
+        f.begin(Math.sqrt(x * x + y * y + z * z), false);
+        return f;
+    }
+
+    private static double[] direction(SplittableRandom random) {
+        double z = random.nextDouble(-1, 1);
+        double angle = random.nextDouble(2 * Math.PI);
+        double r = Math.sqrt(1 - z * z);
+        return new double[] {r * Math.cos(angle), r * Math.sin(angle), z};
     }
 }
