@@ -22,6 +22,8 @@ abstract class GapClosing extends HoldingRows {
     /** The most that a joint has opened by in the sub-step, over its size, or rad. */
     private double opened;
 
+    private boolean closesAtOnce;
+
     private final double[] turn = new double[3];
     private final InnerMotion inner = new InnerMotion();
 
@@ -31,10 +33,14 @@ abstract class GapClosing extends HoldingRows {
     /**
      * Closes what is open by moving bodies, without any speed: {@code x' = x - M^-1 J^T (A + E)^-1
      * c}. Those of an assembly that floats would change its angular momentum: it gets that back.
+     *
+     * @param isStruck whether contacts act on it: what these have opened in the sub-step is closed
+     *     at once
      */
-    void close() {
+    void close(boolean isStruck) {
         boolean isNoted = false;
         opened = 0;
+        closesAtOnce = isStruck && s.isDirect;
         double closely = s.standCount > 0 ? CLOSELY_STANDING : CLOSELY;
         for (int round = 0; round < (s.isDirect ? CLOSINGS : 1); round++) {
             double worst = gaps(round == 0);
@@ -114,7 +120,7 @@ abstract class GapClosing extends HoldingRows {
 
     /** What a row has opened by since the sub-step began, over its joint's size, or rad. */
     private double opened(int r, boolean isAngle, double size) {
-        double way = s.isDirect ? s.start[r] - s.begun[r] : 0;
+        double way = closesAtOnce ? s.start[r] - s.begun[r] : 0;
         return Math.abs(isAngle ? Angles.wrap(way) : way / size);
     }
 

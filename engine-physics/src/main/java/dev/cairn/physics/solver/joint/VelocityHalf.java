@@ -85,7 +85,7 @@ abstract class VelocityHalf extends JointWork {
      */
     void velocity(double seconds, boolean counts) {
         h = seconds;
-        close();
+        close(false);
         stop();
         if (counts) {
             relieve(false);
@@ -100,7 +100,7 @@ abstract class VelocityHalf extends JointWork {
      */
     public void velocity(SubStep sub, boolean counts, ConstraintRows rows) {
         h = sub.seconds;
-        close();
+        close(true);
         stop();
         if (stands(rows, sub, false)) {
             stop();
