@@ -59,10 +59,10 @@ class FirstMeetingTest {
         int meeting = 0;
         for (int i = 0; i < 4000; i++) {
             FirstMeeting search = new FirstMeeting(new NarrowPhase(), 128, 0x1p-16, MOST);
-            Flight a = tumbling(random);
-            Flight b = tumbling(random);
+            Flight a = turning(random);
+            Flight b = turning(random);
             double[] from = direction(random);
-            double far = random.nextDouble(0.8, 1.8);
+            double far = random.nextDouble(0.6, 1.6);
             double x = far * from[0];
             double y = far * from[1];
             double z = far * from[2];
@@ -83,8 +83,8 @@ class FirstMeetingTest {
         assertTrue(meeting > 1000, "meeting " + meeting + ", seed " + seed);
     }
 
-    /** A box of about a metre that tumbles by up to half a radian a tick, and flies as far. */
-    private static Flight tumbling(SplittableRandom random) {
+    /** A box of about a metre that turns by up to 2.5 rad a tick, and flies as far. */
+    private static Flight turning(SplittableRandom random) {
         Flight f = new Flight();
         double x = random.nextDouble(0.1, 0.5);
         double y = random.nextDouble(0.1, 0.5);
@@ -93,7 +93,7 @@ class FirstMeetingTest {
         double[] v = direction(random);
         double[] w = direction(random);
         double speed = random.nextDouble(30);
-        double spin = random.nextDouble(30);
+        double spin = random.nextDouble(150);
         f.vx = speed * v[0];
         f.vy = speed * v[1];
         f.vz = speed * v[2];
