@@ -206,11 +206,11 @@ public final class JointSolve extends PositionTrial {
     }
 
     @Override
-    void velocity(double seconds, boolean counts) {
+    void velocity(double seconds, boolean counts, boolean isStruck) {
         if (s.isNet) {
             nets.velocity(seconds, counts);
         } else {
-            super.velocity(seconds, counts);
+            super.velocity(seconds, counts, isStruck);
         }
     }
 

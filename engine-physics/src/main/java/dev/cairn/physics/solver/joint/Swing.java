@@ -55,13 +55,13 @@ public final class Swing {
         for (int k = 0; k < sub.count * parts; k++) {
             s.energy = JointEnergy.kinetic(tick, s) + JointEnergy.potential(tick, s);
             if (isFine) {
-                step(tick, s, OUTER * h);
-                step(tick, s, OUTER * h);
-                step(tick, s, (1 - 4 * OUTER) * h);
-                step(tick, s, OUTER * h);
-                step(tick, s, OUTER * h);
+                step(tick, s, OUTER * h, false);
+                step(tick, s, OUTER * h, false);
+                step(tick, s, (1 - 4 * OUTER) * h, false);
+                step(tick, s, OUTER * h, false);
+                step(tick, s, OUTER * h, false);
             } else {
-                step(tick, s, h);
+                step(tick, s, h, false);
             }
             if (s.keeps) {
                 energy.settle(tick, s, false);
@@ -108,7 +108,7 @@ public final class Swing {
             Motion.kick(tick.bodies, body, i, g[0], g[1], g[2], -h);
         }
         for (int n = 0; n < s.parts; n++) {
-            step(tick, s, h / s.parts);
+            step(tick, s, h / s.parts, true);
         }
         for (int n = 0; n < s.body.length; n++) {
             leave(tick, s, n);
@@ -173,7 +173,7 @@ public final class Swing {
         }
     }
 
-    private void step(SolverContext tick, Assembly s, double h) {
+    private void step(SolverContext tick, Assembly s, double h, boolean isStruck) {
         double[] g = tick.gravity;
         for (int i : s.body) {
             Motion.kick(tick.bodies, tick.body, i, g[0], g[1], g[2], h);
@@ -185,6 +185,6 @@ public final class Swing {
             JointSolve.renew(tick, i);
         }
         solve.beginVelocity(!s.isDirect, true);
-        solve.velocity(h, true);
+        solve.velocity(h, true, isStruck);
     }
 }

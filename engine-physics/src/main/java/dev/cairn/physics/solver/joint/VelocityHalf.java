@@ -82,10 +82,11 @@ abstract class VelocityHalf extends JointWork {
      * Takes from the velocities what the joints do not allow.
      *
      * @param counts whether its impulses are those of the sub-step
+     * @param isStruck whether contacts act on the assembly
      */
-    void velocity(double seconds, boolean counts) {
+    void velocity(double seconds, boolean counts, boolean isStruck) {
         h = seconds;
-        close(false);
+        close(isStruck);
         stop();
         if (counts) {
             relieve(false);
