@@ -104,9 +104,8 @@ final class SweptPair implements MovingPair {
     }
 
     /**
-     * Whether the colliders of a row surely pass each other within a tick: a plane across the
-     * contact's normal stays between them, by more than that within which a search gives up. False
-     * says nothing.
+     * Whether the colliders of a row surely pass each other within a tick: a plane across its
+     * normal stays between them, by more than a search gives up within. False says nothing.
      */
     boolean pass(int row, double stepSeconds) {
         setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
@@ -123,18 +122,14 @@ final class SweptPair implements MovingPair {
                 contacts.normalZ(row));
     }
 
-    /**
-     * Whether the way of the two looked at last is shorter than they are thick, so that {@link
-     * #collideThere} leaves their row as it is.
-     */
+    /** Whether those looked at last go less far than they are thick; see {@link #collideThere}. */
     boolean isShort() {
         return search.fastest() * step <= inner();
     }
 
     /**
-     * Whether the colliders of a row, which are apart, surely meet within a tick at a time that
-     * nobody needs to know: they overlap at its end, and their way {@link #isShort}. False says
-     * nothing.
+     * Whether the colliders of a row, which are apart, surely meet within a tick at a time nobody
+     * needs to know: they overlap at its end, and their way {@link #isShort}. False says nothing.
      */
     boolean meetSometime(int row, double stepSeconds) {
         setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);

@@ -9,9 +9,8 @@ import dev.cairn.physics.solver.kernel.Sweeps;
 import dev.cairn.physics.solver.row.SubStep;
 
 /**
- * The tick of islands that are too large for one worker, by all of them at once: the contacts
- * between domains colour after colour, the contacts within them domain by domain, see {@link
- * Domains}.
+ * The tick of islands that are too large for one worker, by all at once: contacts between domains
+ * colour after colour, those within them domain by domain, see {@link Domains}.
  *
  * <p>The bias pass goes over the domains first and over what is between them last, the relax pass
  * the other way round. So nothing comes between the relax pass of a domain and its next bias pass
@@ -214,9 +213,7 @@ final class Lockstep {
 
     private void begin(int bodyBlocks, Jobs jobs) {
         Passes p = passes;
-        if (substep == 0) {
-            joints.meet(jobs);
-        }
+        joints.meet(substep, jobs);
         if (meets) {
             int end = endPlace(domains - 1);
             p.impacts(pace, base, firstBody(), endBody(), firstPlace(-1), end, benches[0]);

@@ -49,8 +49,10 @@ final class LockstepJoints {
     }
 
     /** The begin of a tick, before impacts. */
-    void meet(Jobs jobs) {
-        jobs.run(meet, count);
+    void meet(int substep, Jobs jobs) {
+        if (substep == 0) {
+            jobs.run(meet, count);
+        }
     }
 
     /** Before the bias pass of a sub-step. */

@@ -34,13 +34,14 @@ abstract class GapClosing extends HoldingRows {
      * Closes what is open by moving bodies, without any speed: {@code x' = x - M^-1 J^T (A + E)^-1
      * c}. Those of an assembly that floats would change its angular momentum: it gets that back.
      *
-     * @param isStruck whether contacts act on it: what these have opened in the sub-step is closed
-     *     at once
+     * @param isStruck whether contacts act on it. What these, or Newton's method where it fails,
+     *     have opened in the sub-step is closed at once; not where only motors and limits act,
+     *     which may fight each other
      */
     void close(boolean isStruck) {
         boolean isNoted = false;
         opened = 0;
-        closesAtOnce = isStruck && s.isDirect;
+        closesAtOnce = s.isDirect && (isStruck || s.isRigid);
         double closely = s.standCount > 0 ? CLOSELY_STANDING : CLOSELY;
         for (int round = 0; round < (s.isDirect ? CLOSINGS : 1); round++) {
             double worst = gaps(round == 0);
