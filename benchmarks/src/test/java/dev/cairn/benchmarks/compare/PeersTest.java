@@ -199,12 +199,16 @@ class PeersTest {
         });
     }
 
-    /** Without joints, or with anchors elsewhere, all would be metres apart after ten seconds. */
+    /**
+     * Without joints, or with anchors elsewhere, all would be metres apart after ten seconds; a rod
+     * on a hinge about another axis would stand, and be off by more than a radian.
+     */
     private static void jointsArrive(Engine engine, EngineProcess process) {
         Map<String, Map<String, String>> few =
                 Map.of(
                         "chain-heavy", Map.of("ratio", "1", "links", "3"),
                         "bridge", Map.of("planks", "4", "boxes", "1"),
+                        "falling-rod", Map.of(),
                         "pendulum", Map.of("degrees", "45"));
         few.forEach((scene, settings) -> {
             Protocol.Answer answer =
@@ -215,7 +219,8 @@ class PeersTest {
             if (scene.equals("pendulum") && !hasRods) {
                 String why = String.valueOf(answer.failure());
                 assertTrue(why.contains("it has no rods"), why);
-            } else {
+            } else if (engine != Engine.JBULLET || !scene.equals("falling-rod")) {
+                // JBullet's hinges make a rod spin ever faster about its own axis
                 assertNull(answer.failure(), scene);
                 assertTrue(
                         answer.error() != null && answer.error() < 0.12,

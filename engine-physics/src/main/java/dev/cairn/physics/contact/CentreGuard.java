@@ -121,6 +121,7 @@ final class CentreGuard {
         int bodyBlocks = Blocks.count(count, BODIES_PER_BLOCK);
         int rowBlocks = Blocks.count(contacts.activeCount, ROWS_PER_BLOCK);
         ensure(bodyBlocks, rowBlocks);
+        halt.ensureSlots();
         jobs.run(bodiesJob, bodyBlocks);
         boolean any = false;
         for (int b = 0; b < bodyBlocks; b++) {

@@ -265,6 +265,18 @@ public final class Cases {
                             1,
                             "A ball on a rod of 1 m without mass swings for 20 s from the"
                                     + " horizontal; its energy stays."),
+                    Case.small(
+                            "falling-rod",
+                            "Rod falls over on a hinge",
+                            "falling-rod",
+                            Map.of(),
+                            90,
+                            "angleRadians",
+                            "largest error of its angle, rad",
+                            2,
+                            "A rod of 1 m on a hinge at its foot falls from 0.01 rad beside the"
+                                    + " vertical: a'' = 3 g/(2 L) sin a, so what is wrong at first"
+                                    + " grows 160 times."),
                     chain("chain-heavy", "Ten links carry 100 times their mass", "100"),
                     chain("chain-heavy-1000", "Ten links carry 1000 times their mass", "1000"),
                     Case.small(

@@ -56,6 +56,16 @@ public final class Halt {
         this.edges = edges;
     }
 
+    /** Grows the columns with those of the bodies, also in ticks in which nobody is fast. */
+    public void ensureSlots() {
+        if (tied.length < colliders.slotCount) {
+            tied = new boolean[colliders.poses.positionX.length];
+            held = new boolean[tied.length];
+            moved = new boolean[tied.length];
+            ties.ensureSlots(tied.length);
+        }
+    }
+
     /**
      * Finds who hangs on joints.
      *
@@ -65,12 +75,6 @@ public final class Halt {
     public void tie(int[] bodies, int count) {
         dynamic = bodies;
         dynamicCount = count;
-        if (tied.length < colliders.slotCount) {
-            tied = new boolean[colliders.poses.positionX.length];
-            held = new boolean[tied.length];
-            moved = new boolean[tied.length];
-            ties.ensureSlots(tied.length);
-        }
         int slots = colliders.bodies.slotCount;
         Arrays.fill(tied, 0, slots, false);
         Arrays.fill(held, 0, slots, false);
