@@ -25,8 +25,9 @@ final class SteadyProbe {
         int substeps = PhysicsSettings.DEFAULT.substeps();
         for (SampleScene scene : SceneRegistry.all()) {
             SceneOptions options = SceneOptions.defaults(scene);
-            // short scenes run on: a window of few ticks may each time hold a compilation
-            int ticks = Math.max(scene.ticks(), 240);
+            // long scenes end early, short ones run on: a window of few ticks may each time hold a
+            // compilation
+            int ticks = Math.clamp(scene.ticks(), 240, 300);
             double least = Double.POSITIVE_INFINITY;
             for (int run = 0; run < RUNS && least > 0; run++) {
                 SceneReport report =

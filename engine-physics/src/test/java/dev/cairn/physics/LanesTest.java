@@ -81,7 +81,7 @@ class LanesTest {
 
     @Test
     void aHeapThatFalls() {
-        sameForAll(120, 200, world -> Scenes.drop(world, 200, 4711));
+        sameForAll(60, 200, world -> Scenes.drop(world, 200, 4711));
     }
 
     @Test

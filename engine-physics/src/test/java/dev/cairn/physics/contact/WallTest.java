@@ -34,7 +34,7 @@ class WallTest {
 
     @Test
     void nothingPassesAWall() {
-        search(1, 1000);
+        search(1, 400);
     }
 
     @Test
@@ -46,8 +46,18 @@ class WallTest {
     /** A free wall turns when it is struck; so it is asked in its own frame, within its edges. */
     @Test
     void nothingPassesAFreeWallThatTurns() {
+        searchFree(300);
+    }
+
+    @Test
+    @Tag("soak")
+    void nothingPassesAFreeWallThatTurnsForLong() {
+        searchFree(800);
+    }
+
+    private static void searchFree(int runs) {
         List<Long> passed = new ArrayList<>();
-        for (long seed = 1; seed <= 800; seed++) {
+        for (long seed = 1; seed <= runs; seed++) {
             if (passesFree(new SplittableRandom(seed * 0x9E3779B97F4A7C15L))) {
                 passed.add(seed);
             }

@@ -129,8 +129,8 @@ class DirectTest {
     @ValueSource(booleans = {false, true})
     void bitsDependOnTheSceneAlone(boolean bounces) {
         long expected = 0;
-        for (int workers = 1; workers <= 3; workers++) {
-            for (int lanes : new int[] {1, 4, 8}) {
+        for (int workers = 1; workers <= 3; workers += 2) {
+            for (int lanes : new int[] {1, workers == 1 ? 8 : 4}) {
                 try (PhysicsWorld world = world(DEFAULT, 4, workers, lanes)) {
                     scene(world, bounces);
                     run(world, 90);

@@ -75,7 +75,7 @@ class StaticStartTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"2, 1", "3, 4", "4, 8"})
+    @CsvSource({"3, 4", "2, 8"})
     void theSameBitsForAnyWorkersAndLanes(int workers, int lanes) {
         assertEquals(digest(1, 1), digest(workers, lanes));
     }
