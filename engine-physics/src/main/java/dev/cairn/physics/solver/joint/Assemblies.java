@@ -115,7 +115,7 @@ public final class Assemblies implements Stateful {
         for (int m = 0; m < list.contacts && !all.isEmpty(); m++) {
             int slot = list.mover(m);
             boolean isAlone = !list.isBetweenMovers(m) && !list.isSingle[m];
-            if (isAlone && binds(slot) && all.get(ofBody[slot]).isDirect) {
+            if (isAlone && binds(slot) && all.get(ofBody[slot]).hasFactors) {
                 all.get(ofBody[slot]).stand(m);
             }
         }

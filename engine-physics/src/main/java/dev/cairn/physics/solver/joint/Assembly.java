@@ -23,6 +23,9 @@ public final class Assembly {
     /** Patience beyond which it is taken to fail always. */
     private static final int ROUGH = 16;
 
+    /** Most ticks for which a net is solved by factors before gradients are tried again. */
+    private static final int CAUTIOUS = 128;
+
     /** Points of a contact, of which each has a number in {@link #blows}. */
     static final int POINTS = 4;
 
@@ -49,8 +52,11 @@ public final class Assembly {
     /** First row of each joint among those of the assembly; one more for the end. */
     final int[] firstRow;
 
-    /** Whether it is solved by factors; else by conjugate gradients. */
-    final boolean isDirect;
+    /** Whether it can be solved by factors. */
+    final boolean hasFactors;
+
+    /** Whether it is, in this tick; else by conjugate gradients. */
+    boolean isDirect;
 
     final BlockFactors factors;
     final ConjugateGradients gradients;
@@ -59,6 +65,12 @@ public final class Assembly {
     final PointNet net;
 
     boolean isNet;
+
+    /** Ticks for which a net is solved by factors, as a few rounds of gradients left it open. */
+    private int opened;
+
+    /** For how many it will be if that happens again. */
+    private int caution = 1;
 
     /** Of that: inner radius of its smallest body, m. */
     double size;
@@ -187,9 +199,29 @@ public final class Assembly {
         patience = rough == 0 ? Math.max(1, patience / 2) : patience;
     }
 
+    /** A tick begins: whether conjugate gradients may be tried, if it is a net. */
+    boolean mayBeNet() {
+        opened = Math.max(0, opened - 1);
+        return net.isPoints && (!hasFactors || opened == 0);
+    }
+
+    /**
+     * It was solved as a net.
+     *
+     * @param isOpen whether that has left it open
+     */
+    void judge(boolean isOpen) {
+        if (isOpen) {
+            opened = caution + 1;
+            caution = Math.min(2 * caution, CAUTIOUS);
+        } else {
+            caution = Math.max(1, caution / 2);
+        }
+    }
+
     /** How many numbers it remembers from tick to tick. */
     int memories() {
-        return quick.length + 4;
+        return quick.length + 6;
     }
 
     /** Writes them: what is known of frequencies under tension fades, see {@link Tension}. */
@@ -198,7 +230,9 @@ public final class Assembly {
         into[at + 1] = account;
         into[at + 2] = level;
         into[at + 3] = patience;
-        System.arraycopy(quick, 0, into, at + 4, quick.length);
+        into[at + 4] = opened;
+        into[at + 5] = caution;
+        System.arraycopy(quick, 0, into, at + 6, quick.length);
     }
 
     /** Reads them. */
@@ -207,7 +241,9 @@ public final class Assembly {
         account = from[at + 1];
         level = from[at + 2];
         patience = (int) from[at + 3];
-        System.arraycopy(from, at + 4, quick, 0, quick.length);
+        opened = (int) from[at + 4];
+        caution = (int) from[at + 5];
+        System.arraycopy(from, at + 6, quick, 0, quick.length);
     }
 
     /** Whether its sub-steps are cut into more. */
@@ -239,14 +275,16 @@ public final class Assembly {
         // a tree has as many edges as nodes less one; what does not move is one node
         isLooped = joint.length > body.length - (isGrounded ? 0 : 1);
         Elimination order = new Elimination(body.length, rows, end);
-        isDirect = order.isSparse;
-        factors = new BlockFactors(isDirect ? order : new Elimination(0, new int[0], new int[0]));
+        hasFactors = order.isSparse;
+        isDirect = hasFactors;
+        factors = new BlockFactors(hasFactors ? order : new Elimination(0, new int[0], new int[0]));
         gradients =
-                isDirect
+                hasFactors
                         ? ConjugateGradients.none()
                         : new ConjugateGradients(body.length, end, firstRow, arms);
-        net = new PointNet(isPoints && !isDirect, body.length, end, arms, axes);
-        system = isDirect ? factors : gradients;
+        boolean isNetlike = isPoints && (!hasFactors || order.isFilled);
+        net = new PointNet(isNetlike, body.length, end, arms, axes);
+        system = hasFactors ? factors : gradients;
         derivative = new double[JointMath.JACOBIAN * n];
         arm = new double[3 * joint.length];
         scaled = new double[JointMath.JACOBIAN * n];

@@ -19,6 +19,9 @@ final class Elimination {
     /** More blocks than so many to a node do not pay. */
     private static final int DENSE = 100;
 
+    /** With more, it costs many times what a few rounds of conjugate gradients do. */
+    private static final int FILLED = 6;
+
     /** A joint that is held comes after all that are not. */
     private static final int HELD = 1 << 24;
 
@@ -59,6 +62,12 @@ final class Elimination {
 
     /** Whether it pays. */
     final boolean isSparse;
+
+    /** Whether so much is filled that a few rounds of conjugate gradients cost a fraction. */
+    final boolean isFilled;
+
+    /** Pairs of neighbours that went together. */
+    private long pairs;
 
     private final int bodies;
     private final int[] ends;
@@ -107,6 +116,7 @@ final class Elimination {
             }
         }
         isSparse = order() && lay();
+        isFilled = pairs > (long) FILLED * nodes;
         near = new int[0][];
         degree = new int[0];
     }
@@ -189,7 +199,6 @@ final class Elimination {
         }
         int done = 0;
         int links = 0;
-        long pairs = 0;
         while (!queue.isEmpty()) {
             long next = queue.remove();
             int i = (int) next;

@@ -139,8 +139,20 @@ public final class JointSolve extends PositionTrial {
 
     /** Begin of a tick: whether the assembly is solved as a {@link PointNet}. */
     void choose() {
-        s.isNet = nets.begin();
+        s.isNet = s.mayBeNet() && nets.begin();
+        s.isDirect = s.hasFactors && !s.isNet;
+        s.standCount = s.isNet ? 0 : s.standCount;
         s.isFresh = false;
+    }
+
+    /** A step of what touches nothing ends: a net that is left open goes on with factors. */
+    void reconsider() {
+        if (s.isNet && s.hasFactors && nets.isOpen()) {
+            nets.end();
+            s.isNet = false;
+            s.isDirect = true;
+            s.isFresh = false;
+        }
     }
 
     /**

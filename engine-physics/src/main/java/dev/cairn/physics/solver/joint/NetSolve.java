@@ -31,6 +31,12 @@ final class NetSolve {
      */
     private static final double SLACK = 1e-3;
 
+    /** A few rounds do not find how bodies share a load whose masses differ by more. */
+    private static final double ALIKE = 2;
+
+    /** Of its smallest body: a net with wider gaps is given to factors, if there are any. */
+    private static final double OPEN = 1e-5;
+
     private final InnerMotion inner = new InnerMotion();
     private final JointMath math = new JointMath();
     private SolverContext tick;
@@ -58,15 +64,20 @@ final class NetSolve {
 
     /** Begin of a tick: whether the assembly is a net of balls now, and if so, its numbers. */
     boolean begin() {
-        if (!net.isPoints) {
-            return false;
-        }
         double size = Double.POSITIVE_INFINITY;
+        double least = Double.POSITIVE_INFINITY;
+        double most = 0;
         for (int i : s.body) {
             if (!tick.body.axes.isIsotropic(i) || tick.bodies.motionFlags[i] != 0) {
                 return false;
             }
             size = Math.min(size, tick.bodies.outerRadius[i]);
+            double inverse = tick.body.state[SolverBodies.offset(i) + SolverBodies.MASS];
+            least = Math.min(least, inverse);
+            most = Math.max(most, inverse);
+        }
+        if (s.hasFactors && most > ALIKE * least) {
+            return false;
         }
         s.size = size;
         for (int n = 0; n < s.body.length; n++) {
@@ -105,8 +116,18 @@ final class NetSolve {
         net.fill(store.after, row, net.after, p);
     }
 
+    /** Whether the last sub-step has left a joint farther open than factors would. */
+    boolean isOpen() {
+        double worst = 0;
+        for (double gap : net.gap) {
+            worst = Math.max(worst, Math.abs(gap));
+        }
+        return !(worst <= OPEN * s.size);
+    }
+
     /** Gives the impulses back to the rows. */
     void end() {
+        s.judge(isOpen());
         for (int p = 0; p < net.joint.length; p++) {
             int row = store.firstRow[s.joint[net.joint[p]]];
             net.give(net.before, p, store.before, row);

@@ -43,13 +43,14 @@ public final class Swing {
     /** Runs a tick. */
     public void run(SolverContext tick, SubStep sub, JointStore store, Assembly s) {
         s.keeps = JointEnergy.keeps(tick, store, s);
+        solve.open(tick, sub, store, s);
+        solve.choose();
         boolean isSmooth = s.isDirect && !s.isRough();
         double quick = s.isDirect ? sub.seconds * tension.quickest(tick, store, s) : 0;
         int parts = isSmooth ? Tension.partsAlone(quick) : 1;
         boolean isFine = isSmooth && parts == 1 && s.body.length <= FEW && isReversible(tick, s);
         solve.open(tick, sub, store, s, isFine ? 8 * OUTER - 1 : 1);
         solve.findDrives();
-        solve.choose();
         last = 0;
         double h = sub.seconds / parts;
         for (int k = 0; k < sub.count * parts; k++) {
@@ -66,6 +67,7 @@ public final class Swing {
             if (s.keeps) {
                 energy.settle(tick, s, false);
             }
+            solve.reconsider();
         }
         solve.finish();
     }
