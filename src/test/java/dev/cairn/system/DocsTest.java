@@ -222,7 +222,7 @@ final class DocsTest {
     }
 
     private static final String UNKNOWN = "--no-such-option";
-    private static final Pattern COMMAND =
+    static final Pattern COMMAND =
             Pattern.compile(
                     "(?m)(?:java -jar samples/target/samples\\.jar|(?<=`|^ {4}|^)samples)"
                             + "((?: (?! |#)[^`\\s#\\\\]+| \\\\\\n *[^`\\s#]+)+)");

@@ -33,6 +33,8 @@ import java.util.function.DoubleSupplier;
  * around each step. One thread, the simulation's.
  */
 public final class SceneBuilder {
+    private static final double LEAST_FLOOR = 24;
+
     private final PhysicsWorld world;
     private final SceneOptions options;
     private final SplittableRandom random;
@@ -232,17 +234,20 @@ public final class SceneBuilder {
     }
 
     /**
-     * Adds a fixed, level plate whose upper side is the plane y = 0, centred on the origin.
+     * Adds a fixed, level plate whose upper side is the plane y = 0, centred on the origin; it
+     * reaches {@value #LEAST_FLOOR} m each way at least, so that it is seen to end in a horizon.
      *
-     * @param halfX half its size along x, m
-     * @param halfZ half its size along z, m
+     * @param halfX half of the size that the scene needs along x, m
+     * @param halfZ half of the size that the scene needs along z, m
      * @param friction its Coulomb coefficient
      * @param restitution its coefficient of restitution
      * @return the plate
      */
     public BodyRef floor(double halfX, double halfZ, double friction, double restitution) {
         double halfY = 0.5;
-        Box plate = Box.ofHalfExtents(halfX, halfY, halfZ);
+        Box plate =
+                Box.ofHalfExtents(
+                        Math.max(halfX, LEAST_FLOOR), halfY, Math.max(halfZ, LEAST_FLOOR));
         return add(
                 plate,
                 Model.ground(plate),

@@ -3,6 +3,7 @@ package dev.cairn.system.tutorial;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import dev.cairn.core.ecs.Chunk;
 import dev.cairn.core.ecs.ChunkSystem;
@@ -18,15 +19,28 @@ import dev.cairn.physics.ColliderRef;
 import dev.cairn.physics.ContactListener;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.joint.Joint;
+import dev.cairn.physics.joint.JointAxis;
+import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.render.app.Application;
+import dev.cairn.render.app.Offscreen;
+import dev.cairn.render.app.Scene;
+import dev.cairn.render.app.View;
+import dev.cairn.render.input.Key;
+import dev.cairn.render.mesh.Model;
+import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneReader;
 import dev.cairn.samples.scenefile.SceneWriter;
 
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -129,6 +143,31 @@ class TutorialsTest {
         assertTrue(
                 told.contains("floor meets ball") || told.contains("ball meets floor"),
                 told.toString());
+    }
+
+    @Test
+    void joints() {
+        // chapter: joints
+        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, -9.81, 0).build()) {
+            BodyRef post =
+                    world.add(Body.fixed().shape(Box.ofHalfExtents(0.1, 1, 0.1)).at(0, 1, 0));
+            Body leaf = Body.dynamic().shape(Box.ofHalfExtents(0.5, 1, 0.05)).mass(20);
+            BodyRef door = world.add(leaf.at(0.6, 1, 0));
+            JointRef hinge =
+                    world.add(Joint.hinge(post, door).at(0.1, 1, 0).axis(0, 1, 0).limits(0, 1.5));
+            hinge.motor(JointAxis.TWIST, 1, 100); // 1 rad/s, with at most 100 N m
+            BodyRef lamp = world.add(Body.dynamic().shape(Sphere.of(0.2)).mass(2).at(-1, 0.5, 0));
+            JointRef rope = world.add(Joint.rope(post, lamp).anchors(-1, 2, 0, -1, 0.5, 0));
+            for (int tick = 0; tick < 120; tick++) {
+                world.step(1.0 / 60);
+            }
+            double angle = hinge.value(JointAxis.TWIST);
+            double pull = rope.force(new Vector3d()).length();
+            // chapter: end
+            assertEquals(1.5, angle, 1e-6, "rad, at its limit");
+            assertEquals(2 * 9.81, pull, 1e-3, "N, the lamp's weight");
+            assertEquals(0.5, lamp.position().y, 1e-6, "m, it hangs where it was put");
+        }
     }
 
     @Test
@@ -242,5 +281,54 @@ class TutorialsTest {
             assertEquals(0, crate.position().x, 1e-9);
             assertEquals(digest, world.digest());
         }
+    }
+
+    // chapter: your own window
+    /** A ball that J or a button throws up; the panel says how high it was. */
+    static final class Juggler extends Application {
+        private BodyRef ball;
+        private volatile double highest;
+
+        @Override
+        protected void initScene(Scene scene) {
+            Box floor = Box.ofHalfExtents(20, 1, 20);
+            scene.add(Body.fixed().shape(floor).at(0, -1, 0), Model.ground(floor));
+            ball = scene.add(Body.dynamic().shape(Sphere.of(0.5)).at(0, 0.5, 0).velocity(0, 5, 0));
+            scene.bindings().onKey(Key.J, "throw", this::up);
+            scene.camera().lookAt(0, 3, 9, 0, 1, 0);
+        }
+
+        private void up() {
+            ball.setVelocity(0, 5, 0);
+        }
+
+        @Override
+        protected void updated(double seconds) {
+            highest = Math.max(highest, ball.position().y);
+        }
+
+        @Override
+        protected void panels(Ui ui, View view) {
+            if (ui.panel("Juggler", 10, 10, 220, 100)) {
+                ui.value("highest", "%.2f m".formatted(highest));
+                if (ui.button("Throw (J)")) {
+                    post(this::up);
+                }
+            }
+            ui.endPanel();
+        }
+    }
+
+    // chapter: end
+
+    @Test
+    void yourOwnWindow(@TempDir Path folder) throws IOException {
+        assumeTrue(Offscreen.unavailableReason() == null, "no OpenGL here");
+        Path picture = folder.resolve("juggler.png");
+        Juggler juggler = new Juggler();
+        juggler.size(160, 90).headless(picture, 60).start();
+        // v²/(2 g) above the place that it is thrown from
+        assertEquals(0.5 + 25 / (2 * 9.81), juggler.highest, 2e-3);
+        assertTrue(Files.size(picture) > 500);
     }
 }

@@ -388,8 +388,8 @@ public abstract class Application {
     }
 
     /**
-     * Takes the next key, mouse button but the left one, or key with Ctrl that is pressed, in place
-     * of what it is bound to: for "press a key" in a dialog. Any thread.
+     * Takes the next key, mouse button but the left one, key with Ctrl, or step of the wheel over
+     * no panel, in place of what it is bound to: for "press a key" in a dialog. Any thread.
      *
      * @param taker called once on the window's thread; gets null if Escape was pressed
      */

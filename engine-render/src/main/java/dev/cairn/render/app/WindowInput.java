@@ -25,6 +25,7 @@ import dev.cairn.render.input.Key;
 import dev.cairn.render.input.MouseButton;
 import dev.cairn.render.input.Pointer;
 import dev.cairn.render.input.Trigger;
+import dev.cairn.render.input.Wheel;
 import dev.cairn.render.ui.nuklear.NuklearUi;
 
 import org.jspecify.annotations.Nullable;
@@ -258,7 +259,7 @@ final class WindowInput {
                 double steps = eventY[i];
                 if (panels != null && !captured && panels.wantsMouse()) {
                     panels.input().scrolled(steps);
-                } else {
+                } else if (steps != 0 && !capture(Wheel.of(steps))) {
                     post(() -> bindings.scroll(steps));
                 }
             }
@@ -281,7 +282,13 @@ final class WindowInput {
 
     private void key(int keyCode, int action, int mods, @Nullable NuklearUi panels) {
         Key key = Key.ofCode(keyCode);
-        if (key == null || captureKey(key, action, mods)) {
+        if (key == null) {
+            if (action == GLFW_PRESS && application.wishes().isCapturing()) {
+                application.notice("This key has no name; press another, or Esc");
+            }
+            return;
+        }
+        if (captureKey(key, action, mods)) {
             return;
         }
         if (panels != null && (panels.wantsKeys() || action == GLFW_RELEASE)) {

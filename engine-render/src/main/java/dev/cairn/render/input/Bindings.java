@@ -3,7 +3,6 @@ package dev.cairn.render.input;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -14,10 +13,10 @@ import java.util.function.DoubleConsumer;
 import java.util.stream.Collectors;
 
 /**
- * Which function runs for which key or mouse button. A function has a name, the <em>action</em>;
- * triggers are bound to actions and can be rebound while the program runs. One trigger fires one
- * action (a later binding takes the trigger away from an earlier one); one action may have several
- * triggers.
+ * Which function runs for which key, mouse button or step of the wheel. A function has a name, the
+ * <em>action</em>; triggers are bound to actions and can be rebound while the program runs. One
+ * trigger fires one action (a later binding takes the trigger away from an earlier one); one action
+ * may have several triggers.
  *
  * <p>Functions run on the simulation thread, before the tick that follows the press, also while the
  * physics is paused; so they may touch the world freely. Bind and rebind there too (in {@code
@@ -428,11 +427,17 @@ public final class Bindings {
     }
 
     /**
-     * What the window does when the wheel turns.
+     * What the window does when the wheel turns. A way that an action is bound to is that action's,
+     * once for each whole step, and of {@link #onScroll} no longer.
      *
      * @param steps positive away from the user
      */
     public void scroll(double steps) {
+        String action = actionOf.get(Wheel.of(steps));
+        if (action != null) {
+            mouse.turn(steps, () -> run(action));
+            return;
+        }
         for (DoubleConsumer function : scrolls.values()) {
             function.accept(steps);
         }
@@ -490,6 +495,6 @@ public final class Bindings {
 
     @Override
     public String toString() {
-        return "Bindings" + Arrays.toString(listed.toArray());
+        return "Bindings" + listed;
     }
 }

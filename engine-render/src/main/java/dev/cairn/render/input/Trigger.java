@@ -5,21 +5,21 @@ import org.jspecify.annotations.Nullable;
 import java.util.Locale;
 
 /**
- * What an action can be bound to: a key, a mouse button, or a key together with Ctrl. Immutable;
- * any thread.
+ * What an action can be bound to: a key, a mouse button, a step of the wheel, or a key together
+ * with Ctrl. Immutable; any thread.
  */
-public sealed interface Trigger permits Key, MouseButton, Chord {
+public sealed interface Trigger permits Key, MouseButton, Wheel, Chord {
     /**
      * What a person calls it.
      *
-     * @return such as "F1", "Shift", "Ctrl+S", "Right button"
+     * @return such as "F1", "Shift", "Ctrl+S", "Right button", "Wheel up"
      */
     String label();
 
     /**
      * What a file calls it; {@link #parse} reads it back.
      *
-     * @return such as "F1", "LEFT_SHIFT", "CTRL+S", "MOUSE_RIGHT"
+     * @return such as "F1", "LEFT_SHIFT", "CTRL+S", "MOUSE_RIGHT", "WHEEL_UP"
      */
     String id();
 
@@ -37,6 +37,11 @@ public sealed interface Trigger permits Key, MouseButton, Chord {
         }
         if (text.startsWith(MouseButton.PREFIX)) {
             return MouseButton.named(text.substring(MouseButton.PREFIX.length()));
+        }
+        for (Wheel way : Wheel.values()) {
+            if (way.id().equals(text)) {
+                return way;
+            }
         }
         return Key.named(text);
     }

@@ -106,6 +106,23 @@ class BindingsTest {
         assertEquals(List.of("zoom -2.0"), ran);
     }
 
+    /** Once for each whole step, also where a fine wheel tells parts of one. */
+    @Test
+    void aWayOfTheWheelIsBoundLikeAKey() {
+        bindings.onScroll("zoom", steps -> ran.add("zoom " + steps))
+                .onKey(Key.E, "rise", () -> ran.add("rise"))
+                .rebind("rise", List.of(Wheel.UP));
+        assertEquals("Wheel up", bindings.actions().getFirst().label());
+        bindings.scroll(2);
+        assertEquals(List.of("rise", "rise"), ran);
+        for (double part : new double[] {0.5, 0.25, 0.25, 0.5, -1, 0.75}) {
+            bindings.scroll(part);
+        }
+        assertEquals(List.of("rise", "rise", "rise", "zoom -1.0", "rise"), ran);
+        bindings.press(Key.E);
+        assertEquals(5, ran.size(), "the key is bound no longer");
+    }
+
     @Test
     void unknownActionIsNamed() {
         bindings.onKey(Key.P, "pause", () -> {});
@@ -170,6 +187,9 @@ class BindingsTest {
         }
         for (MouseButton button : MouseButton.values()) {
             assertSame(button, Trigger.parse(button.id()));
+        }
+        for (Wheel way : Wheel.values()) {
+            assertSame(way, Trigger.parse(way.id()));
         }
         assertNull(Trigger.parse("F99"));
         assertNull(Trigger.parse("CTRL+"));

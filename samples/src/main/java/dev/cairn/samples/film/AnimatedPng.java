@@ -19,9 +19,8 @@ import java.util.zip.DeflaterOutputStream;
 
 /**
  * Writes an animated .png: a first picture that every reader shows, and after it only what changes
- * from frame to frame: the smallest rectangle, with pixels that stay left transparent. Colours are
- * rounded to five bits a channel, which the eye does not see in motion and which makes the file
- * half as large. One thread.
+ * from frame to frame: the smallest rectangle, with pixels that stay left transparent. A pixel is
+ * one byte, the place of its colour in a {@link ColourTable}. One thread.
  *
  * <p>Source: PNG, third edition (W3C, 2025), chunks acTL, fcTL and fdAT.
  */
@@ -56,21 +55,7 @@ final class AnimatedPng {
             throw new IllegalArgumentException(
                     "a frame of %d pixels, expected %d x %d".formatted(argb.length, width, height));
         }
-        int[] rounded = new int[argb.length];
-        for (int i = 0; i < argb.length; i++) {
-            rounded[i] = round(argb[i]);
-        }
-        frames.add(rounded);
-    }
-
-    /** To five bits a channel; black stays black and white white. */
-    static int round(int argb) {
-        int rounded = 0xFF000000;
-        for (int shift = 16; shift >= 0; shift -= 8) {
-            int five = (int) Math.rint((argb >> shift & 255) * 31 / 255.0);
-            rounded |= (int) Math.rint(five * 255 / 31.0) << shift;
-        }
-        return rounded;
+        frames.add(argb.clone());
     }
 
     /**
@@ -101,11 +86,24 @@ final class AnimatedPng {
                     to.writeInt(width);
                     to.writeInt(height);
                     to.writeByte(8); // bits a channel
-                    to.writeByte(6); // red, green, blue, alpha
+                    to.writeByte(3); // places in a table of colours
                     to.writeByte(0);
                     to.writeByte(0);
                     to.writeByte(0);
                 });
+        ColourTable table = new ColourTable(frames);
+        chunk(
+                out,
+                "PLTE",
+                to -> {
+                    to.write(new byte[3]); // the first is what stays
+                    for (int i = 0; i < table.size(); i++) {
+                        to.writeByte(table.colour(i) >> 16);
+                        to.writeByte(table.colour(i) >> 8);
+                        to.writeByte(table.colour(i));
+                    }
+                });
+        chunk(out, "tRNS", to -> to.writeByte(0));
         chunk(
                 out,
                 "acTL",
@@ -114,9 +112,9 @@ final class AnimatedPng {
                     to.writeInt(0);
                 });
         int sequence = 0;
+        byte @Nullable [] before = null;
         for (int i = 0; i < frames.size(); i++) {
-            int[] now = frames.get(i);
-            int @Nullable [] before = i == 0 ? null : frames.get(i - 1);
+            byte[] now = places(frames.get(i), table);
             int[] box = before == null ? new int[] {0, 0, width, height} : changed(before, now);
             int number = sequence++;
             chunk(out, "fcTL", to -> control(to, number, box, number > 0));
@@ -133,6 +131,7 @@ final class AnimatedPng {
                             to.write(pixels);
                         });
             }
+            before = now;
         }
         chunk(out, "IEND", to -> {});
     }
@@ -151,7 +150,7 @@ final class AnimatedPng {
     }
 
     /** Left, top, right, bottom of what changed; a pixel at least. */
-    private int[] changed(int[] before, int[] now) {
+    private int[] changed(byte[] before, byte[] now) {
         int[] box = {width, height, 0, 0};
         for (int i = 0; i < now.length; i++) {
             if (now[i] != before[i]) {
@@ -164,30 +163,26 @@ final class AnimatedPng {
         return box[2] == 0 ? new int[] {0, 0, 1, 1} : box;
     }
 
-    private byte[] compressed(int[] now, int @Nullable [] before, int[] box) throws IOException {
+    /** Of each pixel the place of its colour; that of what is transparent is 0. */
+    private byte[] places(int[] argb, ColourTable table) {
+        byte[] places = new byte[argb.length];
+        for (int i = 0; i < argb.length; i++) {
+            places[i] = (byte) (1 + table.index(argb[i], i % width, i / width));
+        }
+        return places;
+    }
+
+    private byte[] compressed(byte[] now, byte @Nullable [] before, int[] box) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         Deflater deflater = new Deflater(Deflater.BEST_COMPRESSION);
         try (DeflaterOutputStream out = new DeflaterOutputStream(bytes, deflater)) {
-            int rowBytes = 4 * (box[2] - box[0]);
-            byte[] row = new byte[rowBytes];
-            byte[] above = new byte[rowBytes];
+            byte[] row = new byte[1 + box[2] - box[0]]; // begins with 0: no filter
             for (int y = box[1]; y < box[3]; y++) {
                 for (int x = box[0]; x < box[2]; x++) {
                     int i = y * width + x;
-                    int argb = before != null && before[i] == now[i] ? 0 : now[i];
-                    int at = 4 * (x - box[0]);
-                    row[at] = (byte) (argb >> 16);
-                    row[at + 1] = (byte) (argb >> 8);
-                    row[at + 2] = (byte) argb;
-                    row[at + 3] = (byte) (argb >>> 24);
+                    row[1 + x - box[0]] = before != null && before[i] == now[i] ? 0 : now[i];
                 }
-                // Differences from above suit a whole picture; the sparse rest is best as it is.
-                out.write(before == null ? 2 : 0);
-                for (int k = 0; k < rowBytes && before == null; k++) {
-                    above[k] = (byte) (row[k] - above[k]);
-                }
-                out.write(before == null ? above : row);
-                System.arraycopy(row, 0, above, 0, rowBytes);
+                out.write(row);
             }
         } finally {
             deflater.end();

@@ -73,7 +73,7 @@ public final class GalleryCommand {
     /** All of them, in the order of the page. */
     public static final List<Take> TAKES =
             List.of(
-                    new Take("junkyard", 0, 90),
+                    new Take("junkyard", 0, 120, Map.of("layers", 3.0), null),
                     new Take(
                             "ragdolls",
                             0,
@@ -82,11 +82,23 @@ public final class GalleryCommand {
                             new SceneView(2.6, 3.6, 5.2, -1, 1.9, -0.6)),
                     new Take("car", 40, 240, Map.of(), new SceneView(8.5, 2.6, 6.5, 5.5, 0.3, 0)),
                     new Take("bridge", 0, 200),
-                    new Take("funnel", 0, 240),
-                    new Take("terrain", 0, 120),
-                    new Take("cradle", 0, 160),
-                    new Take("buoyancy", 0, 240),
-                    new Take("dzhanibekov", 0, 300),
+                    new Take(
+                            "funnel",
+                            0,
+                            240,
+                            Map.of("friction", 0.05),
+                            new SceneView(0, 9.5, 8.5, 0, 3.4, 0)),
+                    new Take(
+                            "terrain",
+                            0,
+                            150,
+                            Map.of("bodies", 500.0),
+                            new SceneView(7, 5.5, 9.5, -1, -0.4, -1)),
+                    new Take("cradle", 0, 160, Map.of(), new SceneView(0.5, 0.9, 2.7, 0.1, 0.2, 0)),
+                    new Take(
+                            "buoyancy", 0, 240, Map.of(), new SceneView(3.5, 2.6, 7, 1.2, 0, -0.4)),
+                    new Take(
+                            "dzhanibekov", 0, 300, Map.of(), new SceneView(1, 2.5, 5.4, 0, 1.4, 0)),
                     new Take("gears", 0, 200),
                     new Take("door", 0, 200),
                     new Take("washer", 60, 240));

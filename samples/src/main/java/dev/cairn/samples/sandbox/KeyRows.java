@@ -74,7 +74,9 @@ final class KeyRows {
     }
 
     void draw(Ui ui) {
-        ui.text("Press a button, then the new key. Ctrl with a key and mouse buttons count too.");
+        ui.text(
+                "Press a button, then the new key. Ctrl with a key, mouse buttons, and the wheel"
+                        + " over the scene count too.");
         Conflict now = conflict;
         if (now != null) {
             ui.label("Already in use:", PROBLEM);

@@ -100,7 +100,7 @@ final class MouseHand {
         if (held != named) {
             named = held;
             String own = held.name();
-            name = own.isEmpty() ? "body " + held.entity() : own;
+            name = own.isEmpty() ? held.toString() : own;
         }
         state.held = name;
         state.heldIsFixed = held.isFixed();

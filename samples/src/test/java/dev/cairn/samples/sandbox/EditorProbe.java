@@ -33,6 +33,7 @@ public final class EditorProbe extends Sandbox {
                     "Open...",
                     "Save as...",
                     FileChooser.SAVE,
+                    FileChooser.NAME,
                     "other.json",
                     "below/",
                     "Scale",

@@ -33,6 +33,7 @@ class MannersTest extends WindowFixture {
         theCrossOfMouseLookHasBothArms();
         aDoubleClickHasTheCameraFollow();
         theSpeedReadsAsPeopleSayIt();
+        aKeyWithoutANameIsToldAndTakesNothing();
         aTakenKeyComesBackByReset();
         try (WindowManager manager = manager()) {
             manager.askToClose();
@@ -119,9 +120,30 @@ class MannersTest extends WindowFixture {
         return false;
     }
 
-    private void aTakenKeyComesBackByReset() throws IOException, InterruptedException {
+    /** Keys that a keyboard of another language or of a laptop has. */
+    private void aKeyWithoutANameIsToldAndTakesNothing() throws IOException, InterruptedException {
         click("Keys");
         await("the keys", seen -> seen.values().containsKey("sinkX"));
+        for (String key : new String[] {"hebrew_shin", "U1F642", "XF86AudioPlay"}) {
+            click("sink");
+            settle(); // a key that comes before the click is drawn is not for it
+            type("key", key);
+            await(key + " to be told", seen -> seen.values().containsKey("NoticeX"));
+            settle();
+            look("key-" + key);
+            type("key", "Escape");
+            settle();
+            assertEquals("Q", now().values().get("sinkKeys"), key + ": " + last);
+        }
+        assertEquals(0, now().number("shortened"), last);
+        click("sink");
+        settle();
+        moveTo(512, 340);
+        type("click", "5");
+        await("the wheel", seen -> seen.is("sinkKeys", "Wheel_down"));
+    }
+
+    private void aTakenKeyComesBackByReset() throws IOException, InterruptedException {
         click("sink");
         settle(); // a key that comes before the click is drawn is not for it
         type("key", "F1");

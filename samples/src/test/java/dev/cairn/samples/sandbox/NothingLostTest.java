@@ -33,7 +33,7 @@ class NothingLostTest extends WindowFixture {
     /** What the user has rebound the last time. */
     @Override
     public void prepare() throws IOException {
-        Files.writeString(keys(), "throw a ball = F7\nno such action = A\n");
+        Files.writeString(keys(), "throw a ball = F7, WHEEL_UP\nno such action = A\n");
     }
 
     @Test
@@ -90,6 +90,10 @@ class NothingLostTest extends WindowFixture {
         Seen start = now();
         type("key", "F7");
         await("a ball by the kept key", seen -> seen.number("bodies") > start.number("bodies"));
+        Seen thrown = now();
+        moveTo(512, 340);
+        type("click", "4");
+        await("a ball by the wheel", seen -> seen.number("bodies") > thrown.number("bodies"));
         click("Keys");
         await("the keys", seen -> seen.values().containsKey("sinkX"));
         click("sink");

@@ -1,5 +1,6 @@
 package dev.cairn.samples.sandbox;
 
+import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.render.app.DebugLayer;
 import dev.cairn.render.app.Scene;
 import dev.cairn.render.app.View;
@@ -159,6 +160,20 @@ final class SandboxProbe extends Sandbox {
         return "";
     }
 
+    /** The least angle between the ray through the mouse and an entity's place, rad. */
+    private double offTheRay(View view) {
+        Vector3d ray = new Vector3d();
+        view.camera().ray(view.pointer().across(), view.pointer().upwards(), view.aspect(), ray);
+        double least = Math.PI;
+        double[] at = view.snapshot().current();
+        for (int row = 0; row < view.snapshot().size(); row++) {
+            int i = row * PoseSnapshot.STRIDE;
+            Vector3d to = new Vector3d(at[i], at[i + 1], at[i + 2]).sub(eye);
+            least = Math.min(least, ray.angle(to));
+        }
+        return least;
+    }
+
     @Override
     void shown(Ui ui, View view, SandboxState state) {
         if (state.id.isEmpty()) {
@@ -180,7 +195,8 @@ final class SandboxProbe extends Sandbox {
                     + " substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d shortened=%d"
                     + " overlapping=%d oldest=%d newest=%d kept=%d future=%b apart=%.9f"
                     + " sameAgain=%d otherAgain=%d digestTick=%d digest=%016x barX=%.1f barY=%.1f"
-                    + " barWidth=%.1f sinkKeys=%s listKeys=%s followed=%b changes=%d%s%n",
+                    + " barWidth=%.1f sinkKeys=%s listKeys=%s followed=%b changes=%d"
+                    + " rayOff=%.6f%s%n",
                 view.frames(),
                 state.tick,
                 view.snapshot().tick(),
@@ -225,6 +241,7 @@ final class SandboxProbe extends Sandbox {
                 keysOf("list keys"),
                 view.camera().followed() != Camera.NOTHING,
                 ui.changes(),
+                offTheRay(view),
                 places(ui));
         out.flush();
         bytesBefore = threads.getCurrentThreadAllocatedBytes();

@@ -124,6 +124,13 @@ class SandboxWindowTest extends WindowFixture {
                     known[0] = changes;
                     return known[1] >= 10;
                 });
+        // A ball flies where the mouse is, into the sky here; in the pause it has not yet fallen.
+        moveTo(420, 90);
+        Seen sky = await("nothing beneath the mouse", seen -> seen.number("rayOff") > 0.02);
+        type("key", "b");
+        await("it on the ray", seen -> seen.number("bodies") == sky.number("bodies") + 1);
+        await("it to be seen there", seen -> seen.number("rayOff") < 1e-4);
+        look("ball-on-the-ray");
         type("key", "p");
         await("them to be made anew", seen -> seen.number("changes") > known[0] + 10);
     }

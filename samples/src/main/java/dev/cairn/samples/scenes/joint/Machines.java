@@ -1,5 +1,6 @@
 package dev.cairn.samples.scenes.joint;
 
+import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsWorld;
@@ -10,6 +11,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.render.mesh.Model;
 import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
@@ -42,7 +44,7 @@ public final class Machines {
         return new SampleScene(
                 "gears",
                 "Gears, rack and pulley",
-                "A motor turns a train of gears; the last one drives a rack back and forth, and a"
+                "A motor turns a train of gears; the last one drives a rack up and down, and a"
                         + " pulley lifts a load.",
                 "joints",
                 List.of(Parameter.real("speed", 3, -20, 20, "of the motor, rad/s")),
@@ -51,11 +53,18 @@ public final class Machines {
                 Machines::buildGears);
     }
 
-    private static BodyRef wheel(SceneBuilder scene, double radius, double x, double y, int color) {
+    /** Every other gear is turned by half a tooth, so that teeth meet gaps. */
+    private static BodyRef wheel(SceneBuilder scene, int teeth, double x, double y, int number) {
+        double radius = 0.02 * teeth;
+        double phase = number % 2 == 0 ? 0 : 0.5;
         return scene.add(
-                Cylinder.of(radius - 0.02, 0.06),
-                Palette.body(color),
-                Body.dynamic().mass(20 * radius).at(x, y, 0).rotationAbout(1, 0, 0, Math.PI / 2));
+                Body.dynamic()
+                        .shape(Cylinder.of(radius - 0.02, 0.06))
+                        .mass(20 * radius)
+                        .at(x, y, 0)
+                        .rotationAbout(1, 0, 0, Math.PI / 2)
+                        .name("gear of " + teeth),
+                new Visual(Teeth.gear(teeth, radius, 0.06, phase, Palette.body(number))));
     }
 
     private static JointRef pin(
@@ -65,17 +74,27 @@ public final class Machines {
 
     private static void buildGears(SceneBuilder scene) {
         PhysicsWorld world = scene.world();
+        scene.floor(4, 4, 0.6, 0);
+        Box board = Box.ofHalfExtents(3, 1.75, 0.05);
+        scene.add(
+                board,
+                Model.ground(board).color(Palette.STONE),
+                Body.fixed().at(0.5, 1.75, -0.65).name("board"));
         BodyRef base =
                 scene.add(
                         Box.ofHalfExtents(2.5, 0.1, 0.1),
                         Palette.body(3),
-                        Body.fixed().at(0.6, 2, -0.5));
+                        Body.fixed().at(0.6, 2, -0.5).name("beam"));
+        scene.add(
+                Cylinder.of(0.33, 0.05),
+                Palette.body(3),
+                Body.fixed().at(-1.15, 3.2, 0).rotationAbout(1, 0, 0, Math.PI / 2).name("pulley"));
         int[] teeth = {12, 30, 20};
         double[] at = {0, 0.84, 1.84};
         BodyRef[] wheel = new BodyRef[3];
         JointRef[] pin = new JointRef[3];
         for (int k = 0; k < 3; k++) {
-            wheel[k] = wheel(scene, 0.02 * teeth[k], at[k], 2, k);
+            wheel[k] = wheel(scene, teeth[k], at[k], 2, k);
             pin[k] = pin(scene, base, wheel[k], at[k], 2);
             if (k > 0) {
                 world.add(
@@ -86,26 +105,36 @@ public final class Machines {
         }
         BodyRef rack =
                 scene.add(
-                        Box.ofHalfExtents(1.2, 0.05, 0.06),
-                        Palette.body(1),
-                        Body.dynamic().mass(5).at(at[2], 1.55, 0));
-        JointRef slider = world.add(Joint.slider(base, rack).at(at[2], 1.55, 0).axis(1, 0, 0));
+                        Body.dynamic()
+                                .shape(Box.ofHalfExtents(0.9, 0.05, 0.06))
+                                .mass(5)
+                                .at(at[2] + 0.45, 2, 0)
+                                .rotationAbout(0, 0, 1, Math.PI / 2)
+                                .name("rack"),
+                        new Visual(
+                                Teeth.rack(
+                                        0.04 * Math.PI, 0.9, 0.05, -0.08, 0.06, Palette.body(1))));
+        JointRef slider = world.add(Joint.slider(base, rack).at(at[2] + 0.45, 2, 0).axis(0, 1, 0));
         world.add(
                 Joint.rack(wheel[2], rack)
-                        .anchors(at[2], 2, 0, at[2], 1.6, 0)
+                        .anchors(at[2], 2, 0, at[2] + 0.4, 2, 0)
                         .axis(0, 0, 1)
-                        .secondAxis(1, 0, 0));
+                        .secondAxis(0, 1, 0));
         BodyRef load =
                 scene.add(
-                        Sphere.of(0.15), Palette.body(4), Body.dynamic().mass(6).at(-1.5, 1.2, 0));
+                        Sphere.of(0.15),
+                        Palette.body(4),
+                        Body.dynamic().mass(6).at(-1.5, 1.2, 0).name("load"));
         BodyRef weight =
                 scene.add(
-                        Sphere.of(0.2), Palette.body(4), Body.dynamic().mass(11).at(-0.8, 1.8, 0));
+                        Sphere.of(0.2),
+                        Palette.body(4),
+                        Body.dynamic().mass(11).at(-0.8, 1.8, 0).name("weight"));
         world.add(
                 Joint.pulley(
                         load, weight, new Vector3d(-1.5, 3.2, 0), new Vector3d(-0.8, 3.2, 0), 1));
         world.add(Joint.rope(base, weight).anchors(-0.8, 2.1, -0.5, -0.8, 1.8, 0).length(1.6));
-        scene.view(new SceneView(0.4, 2.2, 5, 0.4, 1.9, 0));
+        scene.view(new SceneView(1.2, 2.5, 4.2, 0.55, 2, 0));
         double speed = scene.get("speed");
         scene.beforeTick((tick, seconds) ->
                 pin[0].motor(

@@ -194,16 +194,20 @@ public final class Mechanisms {
                 scene.add(
                         Box.ofHalfExtents(0.1, 1.2, 0.1),
                         Palette.body(3),
-                        Body.fixed().at(-0.7, 1.2, 0));
+                        Body.fixed().at(-0.7, 1.2, 0).name("post"));
         BodyRef leaf =
                 scene.add(
                         Box.ofHalfExtents(0.5, 1, 0.04),
                         Palette.body(1),
-                        Body.dynamic().mass(20).at(0, 1.1, 0));
+                        Body.dynamic().mass(20).at(0, 1.1, 0).name("door"));
         scene.add(
                 Sphere.of(0.15),
                 Palette.body(4),
-                Body.dynamic().mass(10).at(0.3, 1, 2).velocity(0, 1, -scene.get("speed")));
+                Body.dynamic()
+                        .mass(10)
+                        .at(0.3, 1, 2)
+                        .velocity(0, 1, -scene.get("speed"))
+                        .name("ball"));
         JointRef hinge =
                 scene.world()
                         .add(
@@ -216,12 +220,12 @@ public final class Mechanisms {
                 scene.add(
                         Box.ofHalfExtents(0.1, 0.8, 0.1),
                         Palette.body(3),
-                        Body.fixed().at(2, 0.8, 0));
+                        Body.fixed().at(2, 0.8, 0).name("stand"));
         BodyRef arm =
                 scene.add(
                         Box.ofHalfExtents(0.5, 0.05, 0.05),
                         Palette.body(0),
-                        Body.dynamic().mass(4).at(2.6, 1.5, 0));
+                        Body.dynamic().mass(4).at(2.6, 1.5, 0).name("arm"));
         JointRef motor =
                 scene.world()
                         .add(
@@ -229,7 +233,7 @@ public final class Mechanisms {
                                         .at(2.1, 1.5, 0)
                                         .axis(0, 0, 1)
                                         .motor(0, Double.POSITIVE_INFINITY));
-        scene.view(new SceneView(2.5, 2.6, 5, 0.7, 1, 0));
+        scene.view(new SceneView(2, 2, 3.9, 0.75, 1.05, 0));
         double[] worst = {0, 0};
         Vector3d t = new Vector3d();
         scene.afterTick((tick, seconds) -> {

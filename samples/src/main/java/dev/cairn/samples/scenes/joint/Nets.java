@@ -64,6 +64,7 @@ public final class Nets {
         double radius = half / StrictMath.sin(t / planks);
         double span = radius * StrictMath.sin(t);
         double top = 4;
+        scene.floor(span, span, 0.6, 0);
         BodyRef last = pier(scene, -span, top);
         for (int k = 0; k < planks; k++) {
             double angle = t * (2 * k + 1 - planks) / planks;
@@ -105,9 +106,9 @@ public final class Nets {
     private static BodyRef pier(SceneBuilder scene, double x, double top) {
         double side = x < 0 ? -0.5 : 0.5;
         return scene.add(
-                Box.ofHalfExtents(0.48, 0.5, 0.8),
+                Box.ofHalfExtents(0.48, 0.5 * top, 0.8),
                 Palette.body(3),
-                Body.fixed().at(x + side, top - 0.5, 0));
+                Body.fixed().at(x + side, 0.5 * top, 0));
     }
 
     private static void join(SceneBuilder scene, BodyRef a, BodyRef b, double x, double y) {
