@@ -406,6 +406,7 @@ public final class EditorPanels {
         }
         if (!editor.message().isEmpty()) {
             if (editor.isWrong()) {
+                ui.columns(1);
                 ui.label("That did not work:", PROBLEM);
             }
             ui.text(editor.message());

@@ -76,10 +76,10 @@ public final class GalleryCommand {
                     new Take("junkyard", 0, 120, Map.of("layers", 3.0), null),
                     new Take(
                             "ragdolls",
-                            0,
-                            120,
+                            10,
+                            150,
                             Map.of("figures", 8.0),
-                            new SceneView(2.6, 3.6, 5.2, -1, 1.9, -0.6)),
+                            new SceneView(2.8, 3.9, 5.8, -1, 1.9, -0.4)),
                     new Take("car", 40, 240, Map.of(), new SceneView(8.5, 2.6, 6.5, 5.5, 0.3, 0)),
                     new Take("bridge", 0, 200),
                     new Take(
@@ -91,9 +91,9 @@ public final class GalleryCommand {
                     new Take(
                             "terrain",
                             0,
-                            150,
-                            Map.of("bodies", 500.0),
-                            new SceneView(7, 5.5, 9.5, -1, -0.4, -1)),
+                            120,
+                            Map.of("bodies", 240.0),
+                            new SceneView(6, 4.2, 8, -1, -0.4, -1)),
                     new Take("cradle", 0, 160, Map.of(), new SceneView(0.5, 0.9, 2.7, 0.1, 0.2, 0)),
                     new Take(
                             "buoyancy", 0, 240, Map.of(), new SceneView(3.5, 2.6, 7, 1.2, 0, -0.4)),

@@ -253,9 +253,11 @@ final class SimulationPanel {
         }
         ui.value("mass", text);
         ui.value("speed", text.clear().put(now.heldSpeed, 3).put(" m/s"));
-        ui.value(
-                "at",
+        // On a row of its own: three numbers with signs are wider than a value's share.
+        ui.columns(1);
+        ui.label(
                 text.clear()
+                        .put("at ")
                         .put(now.heldAt.x, 2)
                         .put(", ")
                         .put(now.heldAt.y, 2)

@@ -75,7 +75,7 @@ public final class Cradle {
                                     .material(Palette.material(0, 1))
                                     .name("ball " + i)));
         }
-        scene.view(new SceneView(0.8, 1.3, 3.3, 0.1, 0.25, 0));
+        scene.view(new SceneView(0.6, 1.0, 2.9, 0.1, 0.22, 0));
         double after = (RUN + 4 * GAP * count) / speed + SampleScene.STEP_SECONDS;
         Ramp.Metric worst = new Ramp.Metric();
         Vector3d v = new Vector3d();

@@ -164,6 +164,7 @@ class MannersTest extends WindowFixture {
         }
         settle();
         look("keys-reset");
+        assertEquals(0, now().number("shortened"), last);
         click(KeyRows.RESET);
         await("all as at first", seen -> seen.is("sinkKeys", "Q") && seen.is("listKeys", "F1"));
         await("that to be kept, too", seen -> !kept("sink = F1"));

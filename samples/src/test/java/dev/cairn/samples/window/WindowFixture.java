@@ -340,6 +340,13 @@ public abstract class WindowFixture {
         return output.strip();
     }
 
+    /** Has the server's keyboard send the letters of a layout, such as "il" or "us". */
+    public void keyboard(String layout) throws IOException, InterruptedException {
+        Process process =
+                new ProcessBuilder("setxkbmap", "-display", display, layout).inheritIO().start();
+        assertEquals(0, process.waitFor(), "setxkbmap " + layout);
+    }
+
     /** Press, way and release in one call, so fast that one frame may see all of it. */
     public void dragTo(double x, double y) throws IOException, InterruptedException {
         String[] way = {"mousemove", "--window", window, whole(x), whole(y)};

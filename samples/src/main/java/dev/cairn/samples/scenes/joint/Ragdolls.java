@@ -48,14 +48,14 @@ public final class Ragdolls {
             double height = 0.25 * (STEPS - k);
             scene.add(
                     Box.ofHalfExtents(0.25, 0.5 * height, 4),
-                    Palette.body(3),
+                    Palette.STONE,
                     Body.fixed().at(-3 + 0.5 * k, 0.5 * height, 0));
         }
         for (int k = 0; k < scene.count("figures"); k++) {
             int row = k / 5;
             figure(scene, -2.5 + 0.6 * (k % 3), 4.2 + 1.1 * row, -3 + 1.5 * (k % 5), k);
         }
-        scene.view(new SceneView(6, 5, 9, -1, 1.2, 0));
+        scene.view(new SceneView(4.2, 4.2, 6.6, -0.9, 1.1, -0.1));
         Gaps.watchPoints(scene);
     }
 

@@ -35,7 +35,7 @@ public final class Funnel {
     /** Radius above, radius and height of the neck, height of its upper end, m. */
     private static final double MOUTH = 3;
 
-    private static final double NECK = 0.8;
+    private static final double NECK = 1.1;
     private static final double LOW = 1.6;
     private static final double HIGH = 4;
 

@@ -82,7 +82,7 @@ public final class Floating {
         }
         double rest = HALF - EDGE * HEAVER / water;
         BodyRef heaver = cube(scene, cubes.length, HEAVER, rest + LIFTED);
-        Box surface = Box.ofHalfExtents(30, 0.005, 10);
+        Box surface = Box.ofHalfExtents(400, 0.005, 400);
         scene.addVisual(Pose.at(0, -0.005, 0), new Visual(Model.of(surface).color(WATER_RGB)));
         scene.view(new SceneView(3, 4.5, 11, 3, 0, 0));
         truths(scene, cubes, depths, new Heaving(heaver, rest, water));
