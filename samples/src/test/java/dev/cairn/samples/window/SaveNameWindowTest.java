@@ -55,7 +55,10 @@ class SaveNameWindowTest extends WindowFixture {
         type("key", "ctrl+a", "Delete");
         settle();
         if (!text.isEmpty()) {
+            keyboard(text.equals(FOREIGN) ? "il" : "us");
             type("type", "--delay", "20", text);
+            settle();
+            keyboard("us");
         }
         settle();
     }
@@ -107,7 +110,6 @@ class SaveNameWindowTest extends WindowFixture {
         }
         assertEquals(before, files(), last);
 
-        keyboard("il");
         saveAs(FOREIGN);
         await("it to be saved", seen -> !seen.flag("changed"));
         before.add(FOREIGN + ".json");
