@@ -18,8 +18,6 @@ import java.util.Map;
  * -Dtest=PicturesOfDocsTest -Dgl.tests=required -Dwindow.pictures=FOLDER}.
  */
 class PicturesOfDocsTest extends WindowFixture {
-    private static final String HINGE = "joint 0  hinge, post and door";
-
     @Override
     public Class<?> program() {
         return Probe.class;
@@ -79,24 +77,6 @@ class PicturesOfDocsTest extends WindowFixture {
         type("click", "1");
         await("its fields", seen -> seen.values().containsKey("nameX"));
         picture("editor");
-        aJointInTheEditor();
-    }
-
-    /** The scene of the door, its hinge selected. */
-    private void aJointInTheEditor() throws IOException, InterruptedException {
-        type("key", "F2");
-        click("search");
-        settle();
-        type("type", "--delay", "30", "door");
-        settle();
-        click("Door");
-        await("the door", seen -> !seen.flag("paused") && seen.number("tick") > 5);
-        click("Edit a copy");
-        click(HINGE);
-        await("its panel", seen -> seen.values().containsKey("twist_about_xX"));
-        settle();
-        click("twist about x");
-        picture("editor-joint");
     }
 
     private void picture(String name) throws IOException, InterruptedException {
@@ -109,16 +89,7 @@ class PicturesOfDocsTest extends WindowFixture {
     /** The sandbox as a user finds it. */
     static final class Probe extends Sandbox {
         private static final List<String> PLACES =
-                List.of(
-                        "Keys",
-                        "rise",
-                        "Edit a copy",
-                        "box",
-                        "name",
-                        "search",
-                        "Door",
-                        HINGE,
-                        "twist about x");
+                List.of("Keys", "rise", "Edit a copy", "box", "name");
 
         private Probe(String scene) {
             super(SceneRegistry.all(), Map.of(), 1, 4, false, System.err);
