@@ -55,16 +55,12 @@ public final class ErrorAgainstTime {
      * Measures.
      *
      * @param args a folder for the pictures, or nothing; or {@code times} and kinds, see {@link
-     *     PairTimes}; or {@code safeguards} and kinds, see {@link SafeguardCosts}
+     *     PairTimes}
      * @throws IOException if the picture cannot be written
      */
     public static void main(String[] args) throws IOException {
         if (args.length > 0 && args[0].equals("times")) {
             PairTimes.main(Arrays.copyOfRange(args, 1, args.length));
-            return;
-        }
-        if (args.length > 0 && args[0].equals("safeguards")) {
-            SafeguardCosts.main(Arrays.copyOfRange(args, 1, args.length));
             return;
         }
         System.out.printf(

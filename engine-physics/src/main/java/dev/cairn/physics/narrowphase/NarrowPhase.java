@@ -11,7 +11,6 @@ import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Safeguard;
 import dev.cairn.physics.narrowphase.round.BallAxis;
 import dev.cairn.physics.narrowphase.round.BallBox;
 import dev.cairn.physics.narrowphase.round.RoundContacts;
@@ -87,19 +86,6 @@ public final class NarrowPhase {
         epa.relativeTolerance = Math.max(Epa.TOLERANCE, tolerance);
         gjk.cap = Math.min(Gjk.CAP, iterations);
         epa.cap = Math.min(epa.cap, iterations);
-    }
-
-    /**
-     * Creates the scratch of one worker that does without a safeguard, to see what that costs.
-     *
-     * @param without what is left out; results may be wrong
-     */
-    public NarrowPhase(Method method, Safeguard without) {
-        this(method);
-        gjk.leaveOut(without);
-        epa.leaveOut(without);
-        axes.leaveOut(without);
-        polyhedra.leaveOut(without);
     }
 
     /** Whether the last call met an iteration cap, so that a better axis may exist. */

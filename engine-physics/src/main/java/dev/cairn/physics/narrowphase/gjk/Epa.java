@@ -1,7 +1,6 @@
 package dev.cairn.physics.narrowphase.gjk;
 
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Safeguard;
 
 /**
  * The depth of two overlapping polyhedra: the face of the Minkowski difference D = B - A nearest to
@@ -35,8 +34,6 @@ public final class Epa extends Polytope {
 
     public double relativeTolerance = TOLERANCE;
 
-    private boolean knownPoints = true, independentStart = true;
-
     /** Of the depth: a gap that matters for shallow overlaps, where the tolerance is more. */
     public double share = Double.MAX_VALUE;
 
@@ -45,13 +42,6 @@ public final class Epa extends Polytope {
 
     /** Of the pair's scale: what the planes of faces that {@link #load} takes may be off by. */
     private static final double THIN_NOISE = 0x1p-34;
-
-    @Override
-    public void leaveOut(Safeguard without) {
-        super.leaveOut(without);
-        knownPoints = without != Safeguard.KNOWN_POINTS;
-        independentStart = without != Safeguard.INDEPENDENT_START;
-    }
 
     /** Runs from the simplex that {@link Gjk} ended with. */
     public void run(Pair pair, Gjk gjk) {
@@ -117,7 +107,7 @@ public final class Epa extends Polytope {
                 capped = true;
                 return;
             }
-            boolean last = knownPoints && known(w);
+            boolean last = known(w);
             if (last || !grow(near, w, 0x1p-48 * pair.scale)) {
                 // A face of the difference itself, or a sliver: the reach is its distance, its
                 // plane had lost digits.
@@ -185,7 +175,7 @@ public final class Epa extends Polytope {
             z[i] = gjk.wz[i];
         }
         points = use;
-        use = independentStart ? independent(pair, use) : use;
+        use = independent(pair, use);
         points = use;
         if (use < 2) {
             secondPoint(pair);

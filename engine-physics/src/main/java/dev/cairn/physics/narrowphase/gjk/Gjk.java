@@ -1,7 +1,6 @@
 package dev.cairn.physics.narrowphase.gjk;
 
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Safeguard;
 
 /**
  * The distance of two convex cores: the point of the Minkowski difference D = B - A nearest to the
@@ -34,8 +33,6 @@ public final class Gjk {
 
     public double tolerance = TOLERANCE;
 
-    private boolean knownPoints = true;
-
     final double[] wx = new double[4], wy = new double[4], wz = new double[4];
     public final int[] ia = new int[4], ib = new int[4];
 
@@ -64,11 +61,6 @@ public final class Gjk {
     private int bestCount;
     private final int[] bestIndex = new int[4];
     private final double[] bestWeight = new double[4];
-
-    /** Leaves a safeguard out, if it is one of this class. */
-    public void leaveOut(Safeguard without) {
-        knownPoints = without != Safeguard.KNOWN_POINTS;
-    }
 
     /**
      * Runs from a start direction, any vector from A towards B; stops early when farther apart than
@@ -194,7 +186,7 @@ public final class Gjk {
             beyond = true;
             return true;
         }
-        if (square - along <= tolerance * square || (knownPoints && known(at))) {
+        if (square - along <= tolerance * square || known(at)) {
             return true;
         }
         bestSquare = Double.MAX_VALUE;

@@ -1,7 +1,6 @@
 package dev.cairn.physics.narrowphase.gjk;
 
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Safeguard;
 
 import java.util.Arrays;
 
@@ -33,7 +32,6 @@ public class Polytope {
     /** Of the squares of two sides of a face: with less area its normal has lost digits. */
     private static final double SLIVER = 0x1p-16;
 
-    private boolean oneLoop = true, shortestSide = true;
     final double[] x = new double[MAX_POINTS],
             y = new double[MAX_POINTS],
             z = new double[MAX_POINTS];
@@ -67,12 +65,6 @@ public class Polytope {
             rimTo = new int[3 * MAX_FACES],
             rimFace = new int[3 * MAX_FACES];
     int rimCount;
-
-    /** Leaves a safeguard out, if it is one of this class. */
-    void leaveOut(Safeguard without) {
-        oneLoop = without != Safeguard.ONE_LOOP;
-        shortestSide = without != Safeguard.SHORTEST_SIDE;
-    }
 
     int nearest() {
         int best = -1;
@@ -138,17 +130,13 @@ public class Polytope {
         int p = Math.min(a, Math.min(b, c));
         int r = Math.max(a, Math.max(b, c));
         int q = a + b + c - p - r;
-        int i = p;
-        int j = q;
-        if (shortestSide) {
-            double pq = square(p, q);
-            double qr = square(q, r);
-            double rp = square(r, p);
-            boolean first = pq <= qr && pq <= rp;
-            boolean second = !first && qr <= rp;
-            i = first ? p : second ? q : r;
-            j = first ? q : second ? r : p;
-        }
+        double pq = square(p, q);
+        double qr = square(q, r);
+        double rp = square(r, p);
+        boolean first = pq <= qr && pq <= rp;
+        boolean second = !first && qr <= rp;
+        int i = first ? p : second ? q : r;
+        int j = first ? q : second ? r : p;
         int k = p + q + r - i - j;
         boolean even = (i == a && j == b) || (i == b && j == c) || (i == c && j == a);
         double ex = x[j] - x[i];
@@ -205,7 +193,7 @@ public class Polytope {
         for (int i = 0; i < removedCount; i++) {
             rim(removed[i]);
         }
-        if ((oneLoop && !oneLoop()) || rimCount > freeCount + removedCount + MAX_FACES - faces) {
+        if (!oneLoop() || rimCount > freeCount + removedCount + MAX_FACES - faces) {
             return false;
         }
         for (int i = 0; i < removedCount; i++) {

@@ -38,9 +38,6 @@ public final class HullAxis {
     /** The vertices that are nearest, for the next distance of the pair; 0 when it is not apart. */
     long key;
 
-    /** See {@code Safeguard}. */
-    boolean otherAxes = true;
-
     /** Where the polytope of the pair is kept between ticks, see {@link #remember}. */
     private long[] memory = {};
 
@@ -256,7 +253,7 @@ public final class HullAxis {
         int best = 0;
         int count = 1;
         double most = axes.best();
-        while (otherAxes && 3 * count < tried.length && epa.another(tried, count, SAME_AXIS)) {
+        while (3 * count < tried.length && epa.another(tried, count, SAME_AXIS)) {
             axes.snap(pair, tried[3 * count], tried[3 * count + 1], tried[3 * count + 2]);
             if (axes.best() > most) {
                 most = axes.best();

@@ -8,7 +8,6 @@ import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Safeguard;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
@@ -30,8 +29,6 @@ public final class HullPairs {
     private final ContactPoints points;
     private final WarmContact warm;
     private final HullAxis search;
-
-    private boolean calmFace = true, depthOfPoints = true;
 
     /** GJK has run for this pair. */
     private boolean iterated;
@@ -57,14 +54,6 @@ public final class HullPairs {
         this.points = points;
         this.search = new HullAxis(pair, gjk, epa, axes, points, specialised);
         this.warm = new WarmContact(pair, axes, points, search);
-    }
-
-    /** Leaves a safeguard out, if it is one of this class. */
-    public void leaveOut(Safeguard without) {
-        calmFace = without != Safeguard.CALM_FACE;
-        depthOfPoints = without != Safeguard.DEPTH_OF_POINTS;
-        search.otherAxes = without != Safeguard.OTHER_AXES;
-        warm.secondBound = without != Safeguard.SECOND_BOUND;
     }
 
     /** See {@code NarrowPhase.distance}; leaves the axis in {@link ContactPoints}. */
@@ -187,7 +176,7 @@ public final class HullPairs {
         long before = cache >>> 62;
         boolean flip = chooseFace(cache, ContactTolerances.HYSTERESIS * pair.inner);
         rivalOnB = flip;
-        if (depthOfPoints && crosses(flip, best, before == WarmStartKey.EDGES)) {
+        if (crosses(flip, best, before == WarmStartKey.EDGES)) {
             out.pointCount = 0;
             out.patch = 0;
             pointContact(margin, best, out);
@@ -211,8 +200,7 @@ public final class HullPairs {
             }
         }
         long kind = flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A;
-        if (out.pointCount == 0
-                || (depthOfPoints && strays(out, flip, best, before == WarmStartKey.EDGES))) {
+        if (out.pointCount == 0 || strays(out, flip, best, before == WarmStartKey.EDGES)) {
             kind = WarmStartKey.EDGES;
             out.pointCount = 0;
             out.patch = 0;
@@ -235,10 +223,7 @@ public final class HullPairs {
         long before = cache >>> 62;
         int last = (int) (cache >>> 47) & 0x7FFF;
         double enough = Math.max(axes.separationA, axes.separationB) - hysteresis;
-        if (calmFace
-                && before == WarmStartKey.FACE_A
-                && last != axes.faceA
-                && last < pair.a.faceCount()) {
+        if (before == WarmStartKey.FACE_A && last != axes.faceA && last < pair.a.faceCount()) {
             double s = separationA(last, cache);
             if (s >= enough) {
                 axes.faceA = last;
@@ -246,10 +231,7 @@ public final class HullPairs {
                 axes.vertexOfB = pair.end;
             }
         }
-        if (calmFace
-                && before == WarmStartKey.FACE_B
-                && last != axes.faceB
-                && last < pair.b.faceCount()) {
+        if (before == WarmStartKey.FACE_B && last != axes.faceB && last < pair.b.faceCount()) {
             double s = separationB(last, cache);
             if (s >= enough) {
                 axes.faceB = last;

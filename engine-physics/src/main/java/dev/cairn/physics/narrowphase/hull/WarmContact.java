@@ -51,9 +51,6 @@ final class WarmContact {
     /** What is known from an earlier pose. */
     final DistanceCertificate certificate = new DistanceCertificate();
 
-    /** See {@code Safeguard}. */
-    boolean secondBound = true;
-
     /** The contact of the last {@link #collide} is complete. */
     boolean done;
 
@@ -123,8 +120,7 @@ final class WarmContact {
     long collide(double margin, long cache, long crossing, Manifold out) {
         forget();
         boolean byEdges = cache >>> 62 == WarmStartKey.EDGES;
-        if (secondBound
-                && certificate.isTight(ContactTolerances.HYSTERESIS * pair.inner)
+        if (certificate.isTight(ContactTolerances.HYSTERESIS * pair.inner)
                 && (byEdges || crossing != 0)) {
             certificateOnly = true;
             edgesBest = !byEdges && !certificate.same && certifiedBest(crossing);
@@ -236,7 +232,7 @@ final class WarmContact {
         }
         double hysteresis = ContactTolerances.HYSTERESIS * pair.inner;
         face = at;
-        boolean known = secondBound && certificate.keepsReference(s, hysteresis);
+        boolean known = certificate.keepsReference(s, hysteresis);
         known =
                 known
                         && (certificate.keepsDirection(s, hysteresis)
@@ -259,11 +255,9 @@ final class WarmContact {
         }
         upper = certificate.high;
         if (!proven) {
-            upper = secondBound ? upper(flip, at, s, least, hysteresis) : s;
+            upper = upper(flip, at, s, least, hysteresis);
         }
-        if (!proven
-                && secondBound
-                && !DistanceCertificate.confirmsFace(s, s, least, upper, upper, hysteresis)) {
+        if (!proven && !DistanceCertificate.confirmsFace(s, s, least, upper, upper, hysteresis)) {
             return other(flip, least - s <= hysteresis, margin, cache, out);
         }
         done = true;
@@ -440,7 +434,7 @@ final class WarmContact {
         }
         double s = cross.along;
         double enough = enough(s);
-        double high = secondBound ? cross.upper(enough) : s;
+        double high = cross.upper(enough);
         if (high - s > enough) {
             high = Math.min(high, search.upper());
         }

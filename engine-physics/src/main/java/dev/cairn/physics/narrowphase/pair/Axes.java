@@ -39,17 +39,10 @@ public final class Axes {
      */
     public double separationRaw, rawX, rawY, rawZ;
 
-    private boolean features = true;
-
     private final int[] nearA = new int[NEAREST_EDGES], nearB = new int[NEAREST_EDGES];
     private final double[] cosine = new double[NEAREST_EDGES];
     public double cx, cy, cz;
     private double crossDot, crossSquare;
-
-    /** Leaves a safeguard out, if it is one of this class. */
-    public void leaveOut(Safeguard without) {
-        features = without != Safeguard.FEATURES;
-    }
 
     public double best() {
         return Math.max(
@@ -267,14 +260,6 @@ public final class Axes {
                 (p.px - p.a.vertexX(va)) * x
                         + (p.py - p.a.vertexY(va)) * y
                         + (p.pz - p.a.vertexZ(va)) * z;
-        if (!features) {
-            faceA = faceToward(p.a, va, x, y, z);
-            faceB = faceToward(p.b, vb, -bx, -by, -bz);
-            separationA = separationRaw;
-            separationB = separationRaw;
-            separationEdge = NEVER;
-            return;
-        }
         snapEdges(p, va, vb, bx, by, bz);
         boolean edges = separationEdge > NEVER;
         faceA = edges ? faceAtEdge(p.a, edgeA, x, y, z) : faceToward(p.a, va, x, y, z);
