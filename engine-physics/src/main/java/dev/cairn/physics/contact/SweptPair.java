@@ -109,17 +109,9 @@ final class SweptPair implements MovingPair {
      */
     boolean pass(int row, double stepSeconds) {
         setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
-        return search.arePassing(
-                a,
-                b,
-                fromX,
-                fromY,
-                fromZ,
-                step,
-                met + 2 * NEAR * size,
-                contacts.normalX(row),
-                contacts.normalY(row),
-                contacts.normalZ(row));
+        return search(met + 2 * NEAR * size)
+                .arePassing(
+                        step, contacts.normalX(row), contacts.normalY(row), contacts.normalZ(row));
     }
 
     /** Whether those looked at last go less far than they are thick; see {@link #collideThere}. */
@@ -133,7 +125,7 @@ final class SweptPair implements MovingPair {
      */
     boolean meetSometime(int row, double stepSeconds) {
         setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
-        return met == exact && search.haveMet(a, b, fromX, fromY, fromZ, step, met) && isShort();
+        return met == exact && search(met).haveMet(step) && isShort();
     }
 
     @Override
@@ -155,7 +147,7 @@ final class SweptPair implements MovingPair {
         }
         double until = time;
         double around = exact + shrink(a, doubtA, slotA) + shrink(b, doubtB, slotB);
-        boolean meet = search.find(a, b, fromX, fromY, fromZ, 0, step, around, size);
+        boolean meet = search(around).find(0, step, size);
         boolean isFar = !meet && !search.isUndecided;
         setUp(slotA, slotB, step);
         time = until;
@@ -197,8 +189,13 @@ final class SweptPair implements MovingPair {
         met = exact + doubtA + doubtB;
     }
 
+    /** For the two of the last {@link #setUp}. */
+    private FirstMeeting search(double nearer) {
+        return search.of(a, b, fromX, fromY, fromZ, nearer);
+    }
+
     private boolean find(double from) {
-        boolean meet = search.find(a, b, fromX, fromY, fromZ, from, step, met, size);
+        boolean meet = search(met).find(from, step, size);
         // distances have no mirrored bits, so a mirrored scene would strike at another time
         double grain = step * (isRound() ? FINE : GRAIN);
         time = Math.max(from, Math.floor(search.time / grain) * grain);

@@ -148,7 +148,7 @@ final class Sweeps {
         double z = second.z - first.z;
         double size = size(first.shape) + size(second.shape);
         double met = 0x1p-46 * size + 0x1p-50 * (Math.abs(x) + Math.abs(y) + Math.abs(z));
-        return search.find(a, b, x, y, z, from, until, met, size);
+        return search.of(a, b, x, y, z, met).find(from, until, size);
     }
 
     /**

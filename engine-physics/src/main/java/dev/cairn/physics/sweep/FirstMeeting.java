@@ -97,31 +97,39 @@ public final class FirstMeeting {
     }
 
     /**
-     * Looks for the first meeting.
+     * Says of whom the next questions are.
      *
      * @param first the shape a
      * @param second the shape b
      * @param x from a's centre to b's at the start, world, m
      * @param y see {@code x}
      * @param z see {@code x}
+     * @param nearer nearer than that counts as met, m, at least 0
+     * @return this
+     */
+    public FirstMeeting of(
+            Flight first, Flight second, double x, double y, double z, double nearer) {
+        a = first;
+        b = second;
+        apartX = x;
+        apartY = y;
+        apartZ = z;
+        met = nearer;
+        capped = false;
+        isUndecided = false;
+        return this;
+    }
+
+    /**
+     * Looks for the first meeting of two; see {@link #of}.
+     *
      * @param from when it begins, s
      * @param end when it ends, s; at it they may meet
-     * @param nearer nearer than that counts as met, m, at least 0
      * @param size what {@code near} is a part of, m
      * @return whether they meet; tells {@link #time} and the axis, and leaves both shapes there.
      *     Where {@link #isUndecided}, it is not known
      */
-    public boolean find(
-            Flight first,
-            Flight second,
-            double x,
-            double y,
-            double z,
-            double from,
-            double end,
-            double nearer,
-            double size) {
-        set(first, second, x, y, z, nearer);
+    public boolean find(double from, double end, double size) {
         until = end;
         scale = size;
         time = from;
@@ -135,58 +143,27 @@ public final class FirstMeeting {
 
     /**
      * Whether two that are apart overlap at a later time: then they meet before it, and who does
-     * not ask when needs no search.
+     * not ask when needs no search; see {@link #of}.
      *
-     * @param first the shape a
-     * @param second the shape b
-     * @param x from a's centre to b's at the start, world, m
-     * @param y see {@code x}
-     * @param z see {@code x}
      * @param later s
-     * @param nearer nearer than that counts as met, m, at least 0
      */
-    public boolean haveMet(
-            Flight first,
-            Flight second,
-            double x,
-            double y,
-            double z,
-            double later,
-            double nearer) {
-        set(first, second, x, y, z, nearer);
+    public boolean haveMet(double later) {
         until = later;
         return look(later) <= 0;
     }
 
     /**
-     * Whether two are held apart by an axis that does not turn: the case n1 = n0 of the second
-     * proof above, by four support functions in place of distances. Costs a fraction of a search,
-     * and decides most pairs that pass each other.
+     * Whether two that {@link Reach} fits are held apart by an axis that does not turn: the case n1
+     * = n0 of the second proof above, by four support functions in place of distances. Costs a
+     * fraction of a search, and decides most pairs that pass each other; see {@link #of}.
      *
-     * @param first the shape a, one that {@link Reach} fits
-     * @param second the shape b, one that {@link Reach} fits
-     * @param x from a's centre to b's at the start, world, m
-     * @param y see {@code x}
-     * @param z see {@code x}
      * @param later when it ends, s; it begins at 0
-     * @param nearer nearer than that counts as met, m, at least 0
      * @param nx unit axis from a to b, world
      * @param ny see {@code nx}
      * @param nz see {@code nx}
      * @return false says nothing
      */
-    public boolean arePassing(
-            Flight first,
-            Flight second,
-            double x,
-            double y,
-            double z,
-            double later,
-            double nearer,
-            double nx,
-            double ny,
-            double nz) {
-        set(first, second, x, y, z, nearer);
+    public boolean arePassing(double later, double nx, double ny, double nz) {
         time = 0;
         axisX = nx;
         axisY = ny;
@@ -208,17 +185,6 @@ public final class FirstMeeting {
         double ofA = reach.along(axisX, axisY, axisZ);
         reach.set(b.shape, b.qx, b.qy, b.qz, b.qw);
         return centres - ofA - reach.along(-axisX, -axisY, -axisZ) - met;
-    }
-
-    private void set(Flight first, Flight second, double x, double y, double z, double nearer) {
-        a = first;
-        b = second;
-        apartX = x;
-        apartY = y;
-        apartZ = z;
-        met = nearer;
-        capped = false;
-        isUndecided = false;
     }
 
     private boolean search(double nearby) {

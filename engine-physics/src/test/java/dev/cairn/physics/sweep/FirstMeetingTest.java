@@ -26,7 +26,7 @@ class FirstMeetingTest {
         box.begin(Math.sqrt(0.5001), false);
         Flight plane = new Flight();
         plane.begin(0, false);
-        search.find(plane, box, 0, height, 0, 0, SECONDS, 1e-12, 1);
+        search.of(plane, box, 0, height, 0, 1e-12).find(0, SECONDS, 1);
         return search;
     }
 
@@ -72,8 +72,9 @@ class FirstMeetingTest {
             }
             double s = 1 / Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
             boolean passes =
-                    search.arePassing(a, b, x, y, z, SECONDS, 1e-9, s * n[0], s * n[1], s * n[2]);
-            boolean meets = search.find(a, b, x, y, z, 0, SECONDS, 0, 1);
+                    search.of(a, b, x, y, z, 1e-9)
+                            .arePassing(SECONDS, s * n[0], s * n[1], s * n[2]);
+            boolean meets = search.of(a, b, x, y, z, 0).find(0, SECONDS, 1);
             String which = "seed " + seed + ", run " + i;
             assertFalse(passes && (meets || search.isUndecided), which);
             passing += passes ? 1 : 0;
