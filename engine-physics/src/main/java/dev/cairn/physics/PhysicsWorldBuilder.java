@@ -5,7 +5,6 @@ import dev.cairn.core.ecs.World;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
-import dev.cairn.physics.narrowphase.wide.RoundWarmUp;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Shape;
@@ -199,8 +198,6 @@ public final class PhysicsWorldBuilder {
             }
         }
         BoxWarmUp.await();
-        progress.accept(0.3);
-        RoundWarmUp.await();
         progress.accept(0.4);
         Lanes.await(settings.lanes(), true);
         progress.accept(0.7);

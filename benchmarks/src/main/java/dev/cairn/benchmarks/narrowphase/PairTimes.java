@@ -5,7 +5,6 @@ import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.NarrowPhase.Method;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
-import dev.cairn.physics.narrowphase.wide.RoundWarmUp;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
@@ -198,9 +197,7 @@ public final class PairTimes {
         Fastest fastest = new Fastest();
         try (StageSet set = new StageSet(kind)) {
             // The stage goes without lanes until their kernels are compiled.
-            boolean boxes = BoxWarmUp.await();
-            boolean rounds = RoundWarmUp.await();
-            if (!boxes || !rounds) {
+            if (!BoxWarmUp.await()) {
                 System.out.print(" (without lanes)");
             }
             long until = THREADS.getCurrentThreadCpuTime() + LEAST_TIME;

@@ -13,8 +13,6 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.round.RoundContacts;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
-import dev.cairn.physics.narrowphase.wide.RoundBatch;
-import dev.cairn.physics.narrowphase.wide.RoundWarmUp;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Moved;
 
@@ -30,7 +28,7 @@ public final class ManifoldStage {
     /** A batch of boxes, about 5 microseconds. */
     private static final int BOXES_PER_BLOCK = BoxBatch.CAPACITY;
 
-    /** Fewer pairs of a kind go without lanes, whose kernels would stay uncompiled for long. */
+    /** Fewer pairs of boxes go without lanes, whose kernels would stay uncompiled for long. */
     private static final int PAIRS_FOR_LANES = 512;
 
     /** At rest few pairs of a batch have moved; lanes would be empty. */
@@ -46,7 +44,6 @@ public final class ManifoldStage {
     private final PairKinds kinds;
     private final PointStore points;
     private final Recycler recycler;
-    private final RoundRows roundRows;
     private final SurfaceStage surfaces;
     private Scratch[] scratch = {};
 
@@ -57,9 +54,9 @@ public final class ManifoldStage {
     private int boxBlocks, roundBlocks;
 
     /** Ticks in which lanes were wanted, and whether they are used in this one. */
-    private int boxTicks, roundTicks;
+    private int boxTicks;
 
-    private boolean boxesInLanes, roundsInLanes;
+    private boolean boxesInLanes;
 
     /**
      * A stage.
@@ -87,7 +84,6 @@ public final class ManifoldStage {
         kinds = new PairKinds(colliders, bounds);
         points = new PointStore(colliders);
         recycler = new Recycler(colliders);
-        roundRows = new RoundRows(colliders, kinds, points);
         this.bounds = bounds;
         surfaces = new SurfaceStage(colliders, bounds, points, groups);
     }
@@ -128,7 +124,6 @@ public final class ManifoldStage {
         }
         points.use(rows);
         recycler.use(rows, stepSeconds);
-        roundRows.use(rows, bounds, reach, bounds.speculativeFraction);
         if (rows.grouped) {
             surfaces.run(rows, stepSeconds, reach, jobs);
         }
@@ -136,7 +131,6 @@ public final class ManifoldStage {
         int round = kinds.begin(PairKinds.ROUND);
         int others = kinds.begin(PairKinds.OTHERS);
         boxesInLanes = round >= PAIRS_FOR_LANES && BoxWarmUp.ready(++boxTicks);
-        roundsInLanes = others - round >= PAIRS_FOR_LANES && RoundWarmUp.ready(++roundTicks);
         boxBlocks = Blocks.count(round, BOXES_PER_BLOCK);
         roundBlocks = Blocks.count(others - round, ROUND_PER_BLOCK);
         int rest = Blocks.count(kinds.count() - others, OTHERS_PER_BLOCK);
@@ -176,20 +170,6 @@ public final class ManifoldStage {
     }
 
     private void round(int begin, int end, Scratch own) {
-        for (int i = begin; i < end; i += RoundBatch.CAPACITY) {
-            int last = Math.min(end, i + RoundBatch.CAPACITY);
-            if (roundsInLanes) {
-                int left = roundRows.run(i, last - i, own.roundRows);
-                for (int k = 0; k < left; k++) {
-                    collide(own.roundRows.left[k], own);
-                }
-            } else {
-                roundOnes(i, last, own);
-            }
-        }
-    }
-
-    private void roundOnes(int begin, int end, Scratch own) {
         Poses s = colliders.poses;
         ContactStore c = contacts;
         int[] order = kinds.order();
@@ -390,7 +370,6 @@ public final class ManifoldStage {
         final NarrowPhase narrowPhase = new NarrowPhase();
         final BoxContacts boxes = new BoxContacts(narrowPhase);
         final RoundContacts round = new RoundContacts();
-        final RoundRows.Scratch roundRows = new RoundRows.Scratch();
         final int[] row = new int[BOXES_PER_BLOCK];
         final double[] margin = new double[BOXES_PER_BLOCK];
         final Manifold manifold = new Manifold();

@@ -6,10 +6,9 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.box.BoxContacts;
+import dev.cairn.physics.narrowphase.round.RoundContacts;
 import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Shape;
-import dev.cairn.physics.shape.Sphere;
 
 import org.jspecify.annotations.Nullable;
 
@@ -24,28 +23,16 @@ final class PairKinds {
     /** Two boxes: collided in batches. */
     static final int BOXES = 0;
 
-    /**
-     * Balls and capsules: a closed form, in batches; two balls, capsule and ball, ball and capsule,
-     * two capsules, so that few batches have several of these.
-     */
+    /** Balls and capsules: a closed form. */
     static final int ROUND = 1;
 
     /** All the rest: one after another. */
-    static final int OTHERS = 5;
+    static final int OTHERS = 2;
 
-    /** Kinds of colliders. */
-    private static final byte BOX = 0, BALL = 1, CAPSULE = 2, OTHER = 3;
+    /** Kinds of colliders; a pair of two alike is of the kind with the same number. */
+    private static final byte BOX = BOXES, ROUNDED = ROUND, OTHER = OTHERS;
 
-    /** The kind of a pair, by four times the kind of A plus that of B. */
-    private static final byte[] OF_PAIR = {
-        BOXES, OTHERS, OTHERS, OTHERS, OTHERS, ROUND, ROUND + 2, OTHERS, OTHERS, ROUND + 1,
-        ROUND + 3, OTHERS, OTHERS, OTHERS, OTHERS, OTHERS
-    };
-
-    /** Numbers for each collider in {@link #sizes}. */
-    static final int SIZES = 4;
-
-    private static final int KINDS = 6;
+    private static final int KINDS = 3;
 
     /** Of a pair that is left out. */
     private static final byte FAR = -1;
@@ -67,9 +54,6 @@ final class PairKinds {
     private @Nullable Shape[] seen = {};
 
     private byte[] kindOfCollider = {};
-
-    /** Of each collider of the first two kinds: half extents, or radius and half length, m. */
-    private double[] size = {};
 
     private byte[] kind = {};
     private int[] sorted = {};
@@ -108,7 +92,6 @@ final class PairKinds {
         if (seen.length < colliders.slotCount) {
             seen = Arrays.copyOf(seen, colliders.shape.length);
             kindOfCollider = Arrays.copyOf(kindOfCollider, seen.length);
-            size = Arrays.copyOf(size, SIZES * seen.length);
         }
         Arrays.fill(cursor, 0, KINDS * blocks, 0);
         jobs.run(shapeJob, Blocks.count(colliders.slotCount, SLOTS_PER_BLOCK));
@@ -142,14 +125,6 @@ final class PairKinds {
         return begin[KINDS];
     }
 
-    /**
-     * Sizes of the colliders, {@link #SIZES} numbers each: half extents of a box, radius and half
-     * length of a capsule, radius and 0 of a ball, m.
-     */
-    double[] sizes() {
-        return size;
-    }
-
     /** The rows, sorted by kind. */
     int[] order() {
         return order;
@@ -163,22 +138,7 @@ final class PairKinds {
             if (shape != seen[slot]) {
                 seen[slot] = shape;
                 kindOfCollider[slot] = kindOf(shape);
-                measure(shape, SIZES * slot);
             }
-        }
-    }
-
-    private void measure(@Nullable Shape shape, int at) {
-        if (shape instanceof Box box) {
-            size[at] = box.halfX();
-            size[at + 1] = box.halfY();
-            size[at + 2] = box.halfZ();
-        } else if (shape instanceof Capsule capsule) {
-            size[at] = capsule.radius();
-            size[at + 1] = capsule.halfLength();
-        } else if (shape instanceof Sphere ball) {
-            size[at] = ball.radius();
-            size[at + 1] = 0;
         }
     }
 
@@ -186,7 +146,7 @@ final class PairKinds {
         if (shape instanceof Box box && BoxContacts.fits(box)) {
             return BOX;
         }
-        return shape instanceof Sphere ? BALL : shape instanceof Capsule ? CAPSULE : OTHER;
+        return shape != null && RoundContacts.fits(shape) ? ROUNDED : OTHER;
     }
 
     private void countBlock(int block, int worker) {
@@ -200,7 +160,7 @@ final class PairKinds {
                 kind[i] = FAR;
                 continue;
             }
-            byte of = OF_PAIR[4 * kindOfCollider[a] + kindOfCollider[b]];
+            byte of = kindOfCollider[a] == kindOfCollider[b] ? kindOfCollider[a] : OTHER;
             kind[i] = of;
             counts += 1L << (COUNT_BITS * of);
         }

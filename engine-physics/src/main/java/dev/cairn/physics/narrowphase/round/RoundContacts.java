@@ -1,7 +1,5 @@
 package dev.cairn.physics.narrowphase.round;
 
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.*;
-
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
@@ -19,7 +17,25 @@ import dev.cairn.physics.shape.Sphere;
  * <p>Allocates nothing; one instance per worker.
  */
 public final class RoundContacts {
-    static final long SINGLE = 3L << 62 | FeatureIds.hash(FeatureIds.CLOSEST);
+    private static final long SINGLE = 3L << 62 | FeatureIds.hash(FeatureIds.CLOSEST);
+
+    /** Squares of lengths in this range lose nothing to underflow or overflow. */
+    private static final double LEAST = 0x1p-900, MOST = 0x1p900;
+
+    /** Of the squared scale: cores that are nearer have no direction. */
+    private static final double TOUCHING = 0x1p-80;
+
+    /** Cosine squared of the angle below which capsules may lie side by side. */
+    private static final double PARALLEL = 0.9;
+
+    /** Sine of 0.1 rad: lines that are nearer to being at right angles to the normal are level. */
+    private static final double LEVEL = 0.1;
+
+    /** Of the squared sine: axes that cross by less are tried at all their ends. */
+    private static final double CROSSING = 0x1p-10;
+
+    /** Of the squared sine: axes that cross by less do not cross. */
+    private static final double NEVER = 0x1p-60;
 
     /** The key of the last contact. */
     private long key;
@@ -209,31 +225,8 @@ public final class RoundContacts {
         if (!(lines && a instanceof Capsule first && b instanceof Capsule second)) {
             return false;
         }
-        sideBySide(
-                first.radius(),
-                first.halfLength(),
-                second.radius(),
-                second.halfLength(),
-                dx,
-                dy,
-                dz,
-                margin,
-                cache,
-                out);
-        return true;
-    }
-
-    private void sideBySide(
-            double radiusA,
-            double halfA,
-            double radiusB,
-            double halfB,
-            double dx,
-            double dy,
-            double dz,
-            double margin,
-            long cache,
-            Manifold out) {
+        double radiusA = first.radius();
+        double radiusB = second.radius();
         double length = Math.sqrt(x * x + y * y + z * z);
         double separation = length - radiusA - radiusB;
         double inner = Math.min(radiusA, radiusB);
@@ -242,7 +235,18 @@ public final class RoundContacts {
         double enough = ContactTolerances.depthError(before, hysteresis, separation);
         double rounding = out.bound;
         sideBySide.run(
-                this, radiusA, halfA, radiusB, halfB, dx, dy, dz, length, margin, hysteresis, out);
+                this,
+                radiusA,
+                first.halfLength(),
+                radiusB,
+                second.halfLength(),
+                dx,
+                dy,
+                dz,
+                length,
+                margin,
+                hysteresis,
+                out);
         double wrong = Math.abs(sideBySide.deepest - separation);
         if (out.pointCount > 0 && wrong <= enough) {
             out.bound = wrong + rounding;
@@ -250,37 +254,7 @@ public final class RoundContacts {
         } else {
             single(length, separation, radiusA, out);
         }
-    }
-
-    /** The same after a batch found that the pair is two capsules that may lie side by side. */
-    void sideBySide(double[] t, int i, long cache, Manifold out) {
-        axisX = t[AXIS_A + i];
-        axisY = t[AXIS_A + CAPACITY + i];
-        axisZ = t[AXIS_A + 2 * CAPACITY + i];
-        otherX = t[AXIS_B + i];
-        otherY = t[AXIS_B + CAPACITY + i];
-        otherZ = t[AXIS_B + 2 * CAPACITY + i];
-        x = t[ACROSS + i];
-        y = t[ACROSS + CAPACITY + i];
-        z = t[ACROSS + 2 * CAPACITY + i];
-        onA = t[ON_A + i];
-        out.bound = 0x1p-46 * t[SCALE + i];
-        out.capped = false;
-        out.patch = 0;
-        double dx = t[OFFSET + i];
-        double dy = t[OFFSET + CAPACITY + i];
-        double dz = t[OFFSET + 2 * CAPACITY + i];
-        sideBySide(
-                t[RADIUS_A + i],
-                t[HALF_A + i],
-                t[RADIUS_B + i],
-                t[HALF_B + i],
-                dx,
-                dy,
-                dz,
-                t[MARGIN + i],
-                cache,
-                out);
+        return true;
     }
 
     /** The y axis of an orientation that is unit up to rounding. */
@@ -297,9 +271,7 @@ public final class RoundContacts {
         return within(half, along);
     }
 
-    /**
-     * The place nearest to {@code on} between the ends; as in lanes, without regard to signs of 0.
-     */
+    /** The place nearest to {@code on} between the ends. */
     private static double within(double half, double on) {
         double place = on > half ? half : on;
         return place < -half ? -half : place;

@@ -12,8 +12,7 @@
  *
  * <p>Invariants: the answer is that of the general way within rounding. What has no direction
  * (cores that touch) or leaves the range of squares is refused, and the general way takes it. A
- * ball keeps one feature id, so that an impulse survives rolling over an edge. {@link
- * dev.cairn.physics.narrowphase.round.RoundPairs} gives the same bits in lanes.
+ * ball keeps one feature id, so that an impulse survives rolling over an edge.
  *
  * <p>Source: C. Ericson, "Real-time collision detection" (2005), section 5.1.9, with all ends tried
  * where segments are nearly parallel.

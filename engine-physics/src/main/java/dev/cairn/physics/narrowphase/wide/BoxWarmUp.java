@@ -105,7 +105,7 @@ public final class BoxWarmUp extends KernelWarmUp {
     }
 
     /** A random orientation, in columns of a batch's length. */
-    static void turn(double[] t, int at, SplittableRandom random) {
+    private static void turn(double[] t, int at, SplittableRandom random) {
         double x = random.nextDouble() - 0.5;
         double y = random.nextDouble() - 0.5;
         double z = random.nextDouble() - 0.5;
