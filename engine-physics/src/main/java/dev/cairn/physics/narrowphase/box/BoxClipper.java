@@ -28,7 +28,7 @@ final class BoxClipper {
      * The slots of a face in the order in which its sides cut: those across the first axis beside
      * the face's come first. Soft corners make it matter, and a mirror shares this order.
      */
-    static final int[] CUT_ORDER = new int[24];
+    private static final int[] CUT_ORDER = new int[24];
 
     /** The column of a side, and the slot of a column. */
     static final int[] SIDE_OUTSIDE = new int[24], SIDE_SLOT = new int[24];
@@ -185,7 +185,7 @@ final class BoxClipper {
         return kept;
     }
 
-    static int crossing(boolean flip, int incidentEdge, int edge) {
+    private static int crossing(boolean flip, int incidentEdge, int edge) {
         return flip
                 ? FeatureIds.CROSSING | incidentEdge << 15 | edge
                 : FeatureIds.CROSSING | edge << 15 | incidentEdge;

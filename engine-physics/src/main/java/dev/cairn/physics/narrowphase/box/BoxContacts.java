@@ -29,7 +29,6 @@ public final class BoxContacts {
 
     private final BoxBatch batch = new BoxBatch();
     private final double[] t = batch.data;
-    private final BoxFaceContact faces = new BoxFaceContact();
     private final NarrowPhase single;
 
     private final BoxClipper cuts = new BoxClipper();
@@ -120,6 +119,9 @@ public final class BoxContacts {
         settled = 0;
         if (!wide) {
             BoxAxes.scalar(batch, count);
+            for (int i = 0; i < count; i++) {
+                one(i);
+            }
             return;
         }
         // In one long method: shorter ones are compiled into their callers, which then have no
@@ -168,13 +170,32 @@ public final class BoxContacts {
                 choice.crosses(i, true);
             }
             if (choice.onFace[i] && !choice.crosses[i]) {
-                int points = cuts.clip(t, i, t[INNER + i], t[MARGIN + i], (int) choice.key[i]);
-                deepest[i] = cuts.deepest;
-                choice.leftOut[i] = cuts.leftOut;
-                pointCount[i] = points;
+                clip(i);
             }
         }
         BoxAxes.world(batch, count);
+    }
+
+    /** A pair without lanes, after its axes. */
+    private void one(int i) {
+        if (choice.apartByFaces(i)) {
+            return;
+        }
+        choice.choose(i);
+        if (choice.onFace[i] && choice.crosses[i]) {
+            choice.crosses(i, false);
+        }
+        if (choice.onFace[i] && !choice.crosses[i]) {
+            BoxAxes.corners(t, i);
+            clip(i);
+            BoxAxes.world(t, i, pointCount[i]);
+        }
+    }
+
+    private void clip(int i) {
+        pointCount[i] = cuts.clip(t, i, t[INNER + i], t[MARGIN + i], (int) choice.key[i]);
+        deepest[i] = cuts.deepest;
+        choice.leftOut[i] = cuts.leftOut;
     }
 
     /**
@@ -198,14 +219,6 @@ public final class BoxContacts {
     }
 
     private long takeOther(int i, Box a, Box b, Manifold out) {
-        if (!wide) {
-            if (!choice.apartByFaces(i)) {
-                choice.choose(i);
-                if (choice.crosses[i]) {
-                    choice.crosses(i, false);
-                }
-            }
-        }
         out.pointCount = 0;
         out.bound = 0;
         if (!choice.onFace[i]) {
@@ -216,31 +229,17 @@ public final class BoxContacts {
         }
         int face = 2 * (int) t[AXIS + i] + (t[SIGN + i] > 0 ? 1 : 0);
         boolean flip = t[FLIP + i] != 0;
-        double inner = t[INNER + i];
-        double least =
-                wide
-                        ? deepest[i]
-                        : faces.face(
-                                t, i, flip, face, inner, t[MARGIN + i], (int) choice.key[i], out);
-        if (!wide) {
-            choice.leftOut[i] = faces.leftOut;
-        }
-        int points = wide ? pointCount[i] : out.pointCount;
-        if (points == 0 || choice.strays(i, least)) {
+        if (pointCount[i] == 0 || choice.strays(i, deepest[i])) {
             return point(i, a, b, out);
         }
-        out.bound = Math.abs(choice.best[i] - least) + 0x1p-48 * scale(i);
-        if (wide) {
-            copyNormal(i, out);
-            if (t[ALIGNED + i] >= 0) {
-                return AlignedPoints.copy(t, i, out);
-            }
-            copy(i, points, out);
+        out.bound = Math.abs(choice.best[i] - deepest[i]) + 0x1p-48 * scale(i);
+        copyNormal(i, out);
+        if (t[ALIGNED + i] >= 0) {
+            return AlignedPoints.copy(t, i, out);
         }
-        return WarmStartKey.of(
-                flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A,
-                face,
-                wide ? cuts.names[i] : FeatureIds.of(out));
+        copy(i, pointCount[i], out);
+        long kind = flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A;
+        return WarmStartKey.of(kind, face, cuts.names[i]);
     }
 
     /**

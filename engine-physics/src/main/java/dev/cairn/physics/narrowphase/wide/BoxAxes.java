@@ -28,6 +28,20 @@ public final class BoxAxes {
         BoxAxesScalar.run(batch.data, count);
     }
 
+    /** As {@link #corners(BoxBatch, int)} for the columns of one pair, without lanes. */
+    public static void corners(double[] columns, int pair) {
+        BoxFacesScalar.corners(columns, pair);
+    }
+
+    /**
+     * As {@link #world(BoxBatch, int)} for the columns of one pair, without lanes.
+     *
+     * @param points how many stand in the CORNER columns
+     */
+    public static void world(double[] columns, int pair, int points) {
+        BoxFacesScalar.world(columns, pair, points);
+    }
+
     /**
      * Whether there are lanes. What follows is only for machines that have; all of it overwrites
      * what follows the pairs up to the next multiple of the lanes. Returns false without the Vector

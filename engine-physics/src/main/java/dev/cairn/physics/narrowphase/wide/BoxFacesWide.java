@@ -12,7 +12,7 @@ import jdk.incubator.vector.VectorSpecies;
 /**
  * What has no branches in the face contacts of a batch of boxes, a pair to a lane: before clipping,
  * the corners of the incident faces; after it, the points in world axes. Its twin without the
- * Vector API is {@code narrowphase.BoxFaceContact}, with the same operations on each number.
+ * Vector API is {@link BoxFacesScalar}, with the same operations on each number.
  */
 final class BoxFacesWide {
     private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;
