@@ -1,6 +1,5 @@
 package dev.cairn.physics.narrowphase.box;
 
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_WAYS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WAYS;
 
 import dev.cairn.physics.narrowphase.pair.BoxTopology;
@@ -13,9 +12,9 @@ import java.util.Arrays;
 
 /**
  * The feature ids of the four points of a box's face that is clipped to a quadrilateral: by no side
- * of another box's face, by one, or by two beside each other that cut two neighbouring corners off
- * each. A table of all {@linkplain BoxBatch#entry pairs of faces and ways}, filled by clipping
- * loops of ids as {@code Clipper} does.
+ * of another box's face, or by one that cuts two neighbouring corners off. A table of all
+ * {@linkplain BoxBatch#entry pairs of faces and ways}, filled by clipping loops of ids as {@code
+ * Clipper} does.
  */
 final class AlignedFeatureIds {
     private static final int FACES = 72;
@@ -38,7 +37,7 @@ final class AlignedFeatureIds {
             for (int way = 0; way < WAYS; way++) {
                 loop.begin(flip, 4 * face, 4 * incident);
                 if (way > 0) {
-                    loop.cut((way - 1) / SECOND_WAYS, (way - 1) % SECOND_WAYS);
+                    loop.cut(way - 1);
                 }
                 fill(BoxBatch.entry(flip, face, incident, way), flip, face, loop);
             }
@@ -91,7 +90,7 @@ final class AlignedFeatureIds {
 
     /** The names of four corners, where they stand, and what the sides between them came from. */
     private static final class Loop {
-        /** The place of a corner when the first side cuts edges along the first axis, or not. */
+        /** The place of a corner when the side cuts edges along the first axis, or not. */
         private static final int[] ALONG_FIRST = {0, 1, 2, 3}, ALONG_SECOND = {0, 2, 1, 3};
 
         int[] name = new int[4], side = new int[4], place = new int[4];
@@ -111,20 +110,16 @@ final class AlignedFeatureIds {
         }
 
         /** See {@link BoxBatch#entry}. */
-        void cut(int first, int second) {
-            int[] placeOf = (first & 2) == 0 ? ALONG_FIRST : ALONG_SECOND;
+        void cut(int way) {
+            int[] placeOf = (way & 2) == 0 ? ALONG_FIRST : ALONG_SECOND;
             for (int k = 0; k < 4; k++) {
                 place[k] = placeOf[place[k]];
             }
-            // Low ends are the places 0 and 2 of the first side, 0 and 1 of the second.
-            cutTwo((first & 1) != 0 ? 0b0101 : 0b1010, first >> 2);
-            if (second > 0) {
-                int other = ((first >> 3) ^ 1) << 1;
-                cutTwo(((second - 1) & 1) != 0 ? 0b0011 : 0b1100, other + ((second - 1) >> 1));
-            }
+            // Low ends are the places 0 and 2.
+            cutTwo((way & 1) != 0 ? 0b0101 : 0b1010, way >> 2);
         }
 
-        /** Cuts two neighbours off; the loop then begins at the last corner that stays. */
+        /** Cuts two neighbours off. */
         private void cutTwo(int places, int sideNumber) {
             int slot = BoxClipper.SIDE_SLOT[begin + sideNumber];
             int stays = 0;
@@ -141,7 +136,6 @@ final class AlignedFeatureIds {
                 BoxClipper.name(flip, side[enters], slot, begin),
                 name[back]
             };
-            side = new int[] {side[stays], ~slot, side[enters], side[back]};
             place = new int[] {place[stays], place[leaves], place[enters], place[back]};
             name = names;
         }

@@ -11,19 +11,17 @@ import jdk.incubator.vector.VectorSpecies;
 
 /**
  * Boxes whose faces are aligned so well that clipping leaves a quadrilateral, a pair to a lane: no
- * side of the reference face cuts the incident face; or one side cuts two neighbouring corners off,
- * and after it perhaps one of the sides beside it two of what is left; all corners are clear of
- * both, and all points are within the margin. Each of the two corners moves along its edge to the
- * side, so four points are left. The operations on each number are those of {@code
- * narrowphase.Clipper}. Other pairs keep their corners.
+ * side of the reference face cuts the incident face; or one side cuts two neighbouring corners off;
+ * all corners are clear of it, and all points are within the margin. Each of the two corners moves
+ * along its edge to the side, so four points are left. The operations on each number are those of
+ * {@code narrowphase.Clipper}. Other pairs keep their corners.
  *
  * <p>A corner that is only a little beyond a side is cut off unless it was a point of the last
  * tick. Lanes know no feature ids: they cut it off, and {@code BoxContacts} looks whether that was
  * right.
  *
  * <p>The four corners, and later points, are called p, q, r and w: p and w are corners 0 and 3, q
- * and r corners 1 and 2, or 2 and 1, so that the first side cuts the edges pq and rw, and the
- * second one pr and qw.
+ * and r corners 1 and 2, or 2 and 1, so that the side cuts the edges pq and rw.
  */
 final class BoxAlignedWide {
     private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;
@@ -34,7 +32,7 @@ final class BoxAlignedWide {
     static final int R = Q + POINT;
     static final int W = R + POINT;
 
-    /** In place of separations, how far the corners are beyond the side that cuts first. */
+    /** In place of separations, how far the corners are beyond the side that cuts. */
     private static final int BEYOND = P + 3 * CAPACITY;
 
     /**
@@ -59,21 +57,18 @@ final class BoxAlignedWide {
         long bits = 0;
         for (int i = 0; i < count; i += LANES) {
             sides(t, i);
-            beyondFirst(t, i);
-            first(t, i);
-            moveFirst(t, i, 0);
-            moveFirst(t, i, CAPACITY);
-            moveFirst(t, i, 2 * CAPACITY);
-            if (DoubleVector.fromArray(S, t, SECOND + i).compare(VectorOperators.NE, 0).anyTrue()) {
-                BoxSecondSideWide.run(t, i);
-            }
+            beyond(t, i);
+            cut(t, i);
+            move(t, i, 0);
+            move(t, i, CAPACITY);
+            move(t, i, 2 * CAPACITY);
             separations(t, i);
             bits |= certify(t, i);
         }
         return bits;
     }
 
-    /** The side that cuts first, one on u where there is one; which cuts after it. */
+    /** The side that cuts. */
     private static void sides(double[] t, int i) {
         DoubleVector near = DoubleVector.fromArray(S, t, INNER + i).mul(ContactTolerances.ON_PLANE);
         VectorMask<Double> highU =
@@ -95,57 +90,54 @@ final class BoxAlignedWide {
         DoubleVector signV = one.blend(-1, lowV);
         DoubleVector halfU = DoubleVector.fromArray(S, t, HALF + CAPACITY + i);
         DoubleVector halfV = DoubleVector.fromArray(S, t, HALF + 2 * CAPACITY + i);
-        signV.blend(signU, onU).intoArray(t, FIRST + i);
-        halfV.blend(halfU, onU).intoArray(t, FIRST + CAPACITY + i);
+        signV.blend(signU, onU).intoArray(t, SIDE + i);
+        halfV.blend(halfU, onU).intoArray(t, SIDE + CAPACITY + i);
         zero.blend(1, onU.or(onV)).intoArray(t, CUTS + i);
-        zero.blend(signV, onU.and(onV)).intoArray(t, SECOND + i);
-        halfV.intoArray(t, SECOND + CAPACITY + i);
-        one.blend(0, onU).intoArray(t, SECOND_ON_U + i);
-        signU.mul(halfU).intoArray(t, BETWEEN + i);
-        signV.mul(halfV).intoArray(t, BETWEEN + CAPACITY + i);
-        // Opposite sides leave no quadrilateral.
-        zero.blend(-1, highU.and(lowU).or(highV.and(lowV))).intoArray(t, ALIGNED + i);
+        zero.blend(1, onU).intoArray(t, ON_U + i);
+        // Opposite sides leave no quadrilateral, sides beside each other rarely do.
+        zero.blend(-1, highU.and(lowU).or(highV.and(lowV)).or(onU.and(onV)))
+                .intoArray(t, ALIGNED + i);
     }
 
-    /** How far the corners are beyond the first side. */
-    private static void beyondFirst(double[] t, int i) {
-        VectorMask<Double> firstU =
-                DoubleVector.fromArray(S, t, SECOND_ON_U + i).compare(VectorOperators.EQ, 0);
-        DoubleVector sign = DoubleVector.fromArray(S, t, FIRST + i);
-        DoubleVector limit = DoubleVector.fromArray(S, t, FIRST + CAPACITY + i);
+    /** How far the corners are beyond the side. */
+    private static void beyond(double[] t, int i) {
+        VectorMask<Double> onU =
+                DoubleVector.fromArray(S, t, ON_U + i).compare(VectorOperators.NE, 0);
+        DoubleVector sign = DoubleVector.fromArray(S, t, SIDE + i);
+        DoubleVector limit = DoubleVector.fromArray(S, t, SIDE + CAPACITY + i);
         int u = CORNER + CAPACITY + i;
         int v = u + CAPACITY;
         DoubleVector.fromArray(S, t, v)
-                .blend(DoubleVector.fromArray(S, t, u), firstU)
+                .blend(DoubleVector.fromArray(S, t, u), onU)
                 .mul(sign)
                 .sub(limit)
                 .intoArray(t, BEYOND + i);
         DoubleVector.fromArray(S, t, v + POINT)
-                .blend(DoubleVector.fromArray(S, t, u + POINT), firstU)
+                .blend(DoubleVector.fromArray(S, t, u + POINT), onU)
                 .mul(sign)
                 .sub(limit)
                 .intoArray(t, BEYOND + POINT + i);
         DoubleVector.fromArray(S, t, v + 2 * POINT)
-                .blend(DoubleVector.fromArray(S, t, u + 2 * POINT), firstU)
+                .blend(DoubleVector.fromArray(S, t, u + 2 * POINT), onU)
                 .mul(sign)
                 .sub(limit)
                 .intoArray(t, BEYOND + 2 * POINT + i);
         DoubleVector.fromArray(S, t, v + 3 * POINT)
-                .blend(DoubleVector.fromArray(S, t, u + 3 * POINT), firstU)
+                .blend(DoubleVector.fromArray(S, t, u + 3 * POINT), onU)
                 .mul(sign)
                 .sub(limit)
                 .intoArray(t, BEYOND + 3 * POINT + i);
     }
 
-    /** Which corners the first side cuts off, and where it cuts the two edges. */
-    private static void first(double[] t, int i) {
+    /** Which corners the side cuts off, and where it cuts the two edges. */
+    private static void cut(double[] t, int i) {
         DoubleVector one = DoubleVector.broadcast(S, 1);
         DoubleVector zero = DoubleVector.zero(S);
         VectorMask<Double> cuts =
                 DoubleVector.fromArray(S, t, CUTS + i).compare(VectorOperators.NE, 0);
-        VectorMask<Double> firstU =
-                DoubleVector.fromArray(S, t, SECOND_ON_U + i).compare(VectorOperators.EQ, 0);
-        DoubleVector sign = DoubleVector.fromArray(S, t, FIRST + i);
+        VectorMask<Double> onU =
+                DoubleVector.fromArray(S, t, ON_U + i).compare(VectorOperators.NE, 0);
+        DoubleVector sign = DoubleVector.fromArray(S, t, SIDE + i);
         DoubleVector s0 = DoubleVector.fromArray(S, t, BEYOND + i);
         DoubleVector s1 = DoubleVector.fromArray(S, t, BEYOND + POINT + i);
         DoubleVector s2 = DoubleVector.fromArray(S, t, BEYOND + 2 * POINT + i);
@@ -176,7 +168,7 @@ final class BoxAlignedWide {
                         .or(out3.and(s3.compare(VectorOperators.LE, still)));
         zero.blend(1, soft.and(cuts)).intoArray(t, SOFT + i);
         zero.blend(1, along).intoArray(t, ALONG + i);
-        zero.blend(-1, high).blend(1, low).intoArray(t, FIRST_LOW + i);
+        zero.blend(-1, high).blend(1, low).intoArray(t, LOW + i);
         // An edge is cut from its end inside.
         DoubleVector sq = s1.blend(s2, along);
         DoubleVector sr = s2.blend(s1, along);
@@ -185,10 +177,10 @@ final class BoxAlignedWide {
         begin = s3.blend(sr, high);
         begin.div(begin.sub(sr.blend(s3, high))).intoArray(t, CUT + CAPACITY + i);
         DoubleVector way =
-                zero.blend(2 * 4 * SECOND_WAYS, firstU.not())
-                        .add(zero.blend(4 * SECOND_WAYS, sign.compare(VectorOperators.LT, 0)))
-                        .add(zero.blend(2 * SECOND_WAYS, along))
-                        .add(one.blend(1 + SECOND_WAYS, low))
+                zero.blend(8, onU.not())
+                        .add(zero.blend(4, sign.compare(VectorOperators.LT, 0)))
+                        .add(zero.blend(2, along))
+                        .add(one.blend(2, low))
                         .blend(0, cuts.not());
         VectorMask<Double> missed =
                 two.or(cuts.not())
@@ -199,13 +191,13 @@ final class BoxAlignedWide {
         way.blend(-1, missed).intoArray(t, ALIGNED + i);
     }
 
-    /** Along one axis, moves the corners that the first side cuts off along their edges. */
-    private static void moveFirst(double[] t, int i, int axis) {
+    /** Along one axis, moves the corners that the side cuts off along their edges. */
+    private static void move(double[] t, int i, int axis) {
         int from = CORNER + axis + i;
         int to = P + axis + i;
         VectorMask<Double> along =
                 DoubleVector.fromArray(S, t, ALONG + i).compare(VectorOperators.NE, 0);
-        DoubleVector lowHigh = DoubleVector.fromArray(S, t, FIRST_LOW + i);
+        DoubleVector lowHigh = DoubleVector.fromArray(S, t, LOW + i);
         VectorMask<Double> low = lowHigh.compare(VectorOperators.GT, 0);
         VectorMask<Double> high = lowHigh.compare(VectorOperators.LT, 0);
         DoubleVector p = DoubleVector.fromArray(S, t, from);

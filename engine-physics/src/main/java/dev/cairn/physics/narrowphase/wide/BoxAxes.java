@@ -92,7 +92,7 @@ public final class BoxAxes {
     }
 
     /**
-     * Clips the faces of which no, one or two sides leave a quadrilateral: fills {@link
+     * Clips the faces of which no or one side leaves a quadrilateral: fills {@link
      * BoxBatch#ALIGNED} and, where that is not negative, puts points in the place of the corners.
      * The low 32 bits of the result tell of the pairs that were clipped so those whose face {@link
      * #choose} chose and whose contact no axis of edges can change; the high 32 bits those that are

@@ -108,16 +108,13 @@ public final class BoxBatch {
     static final int SEPARATION = 88 * CAPACITY, SEPARATION_FACES = 89 * CAPACITY;
 
     /**
-     * -1, or how no, one or two sides clip the incident face to a quadrilateral, together with both
+     * -1, or how no or one side clips the incident face to a quadrilateral, together with both
      * faces: {@link #entry}. The four points are then in place of the corners.
      */
     public static final int ALIGNED = 90 * CAPACITY;
 
-    /** Ways to clip it so: none, or one of 16 of a first side and one of 5 of a second. */
-    public static final int WAYS = 81;
-
-    /** Ways in which a second side can cut, or none. */
-    public static final int SECOND_WAYS = 5;
+    /** Ways to clip it so: none, or one of 16. */
+    public static final int WAYS = 17;
 
     /** The least separation of those points, m. */
     public static final int DEEPEST = 91 * CAPACITY;
@@ -125,17 +122,14 @@ public final class BoxBatch {
     /** By how much {@link #DEEPEST} may differ from the signed distance, m. */
     public static final int BOUND = 92 * CAPACITY;
 
-    /** Of the side that cuts second: its sign, 0 for none, and its offset, m. */
-    static final int SECOND = 93 * CAPACITY;
+    /** Of the side that cuts: its sign and its offset, m. */
+    static final int SIDE = 93 * CAPACITY;
 
-    /**
-     * 0 when the first side is on the first axis, else 1; once the second has cut, 1 or -1 as
-     * {@link #FIRST_LOW}.
-     */
-    static final int SECOND_ON_U = 95 * CAPACITY;
+    /** 1 when that is on the first axis beside the face's own. */
+    static final int ON_U = 95 * CAPACITY;
 
-    /** 1 when the first side cuts off the corner p, else -1; 0 when none cuts. */
-    static final int FIRST_LOW = 96 * CAPACITY;
+    /** 1 when the side cuts off the corner p, else -1; 0 when none cuts. */
+    static final int LOW = 96 * CAPACITY;
 
     /** The points, as {@link #CORNER}. */
     static final int ALIGNED_POINT = 97 * CAPACITY;
@@ -161,37 +155,24 @@ public final class BoxBatch {
     /** Half the edge of B, in A's frame: columns x, y, z. */
     static final int CROSSING_LINES = 125 * CAPACITY;
 
-    /**
-     * The point of the incident plane above the corner between the two sides that cut: along the
-     * two axes beside the face's own, then along that.
-     */
-    static final int BETWEEN = 128 * CAPACITY;
-
-    /** Of the side that cuts first: its sign and its offset, m. */
-    static final int FIRST = 131 * CAPACITY;
-
-    /** 1 when a side cuts; 1 when the first one cuts edges along the second axis. */
-    static final int CUTS = 133 * CAPACITY, ALONG = 134 * CAPACITY;
+    /** 1 when a side cuts; 1 when it cuts edges along the second axis. */
+    static final int CUTS = 128 * CAPACITY, ALONG = 129 * CAPACITY;
 
     /** Where a side cuts the two edges that it crosses, from their ends inside: shares of them. */
-    static final int CUT = 135 * CAPACITY;
-
-    /** The plane of the incident face in the frame of the chosen one: normal and offset, m. */
-    static final int PLANE = 137 * CAPACITY;
+    static final int CUT = 130 * CAPACITY;
 
     /** The largest separation of the points that were clipped so, m. */
-    static final int HIGHEST = 141 * CAPACITY;
+    static final int HIGHEST = 132 * CAPACITY;
 
     /** All columns. */
-    public final double[] data = new double[142 * CAPACITY];
+    public final double[] data = new double[133 * CAPACITY];
 
     /**
      * The number of a way to cut a face.
      *
-     * @param way 0 when no side cuts; else 1 + {@link #SECOND_WAYS} w + v. Here w is 4 times the
-     *     side (0 high, 1 low on the first axis, 2 and 3 on the second), plus 2 when it cuts edges
-     *     along the second axis of the incident face, plus 1 when it cuts their low ends; and v is
-     *     0 when no other side cuts, else 1, plus 2 for a low side, plus 1 for low ends
+     * @param way 0 when no side cuts; else 1, plus 4 times the side (0 high, 1 low on the first
+     *     axis, 2 and 3 on the second), plus 2 when it cuts edges along the second axis of the
+     *     incident face, plus 1 when it cuts their low ends
      * @return 0 to 72 {@link #WAYS} - 1
      */
     public static int entry(boolean flip, int face, int incident, int way) {
