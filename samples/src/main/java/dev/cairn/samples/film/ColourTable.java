@@ -92,7 +92,7 @@ final class ColourTable {
                 double n = count == null ? 0 : count[0];
                 weight += n;
                 for (int c = 0; c < 3; c++) {
-                    double level = rgb >> 8 * c & 255;
+                    double level = (rgb >> (8 * c)) & 255;
                     sums[c] += n * level;
                     squares[c] += n * level * level;
                 }
@@ -103,7 +103,7 @@ final class ColourTable {
             double most = -1;
             for (int c = 0; c < 3; c++) {
                 double middle = sums[c] / weight;
-                rounded |= (int) Math.rint(middle) << 8 * c;
+                rounded |= (int) Math.rint(middle) << (8 * c);
                 double own = squares[c] - sums[c] * middle;
                 all += own;
                 if (own > most) {

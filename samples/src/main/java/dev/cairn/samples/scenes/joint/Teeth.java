@@ -39,7 +39,8 @@ final class Teeth {
         int[] index = new int[12 * n];
         int at = 0;
         for (int i = 0; i < n; i++) {
-            double share = i / FLANKS.length + FLANKS[i % FLANKS.length] + phase;
+            int tooth = i / FLANKS.length;
+            double share = tooth + FLANKS[i % FLANKS.length] + phase;
             double angle = 2 * Math.PI * share / teeth;
             double r = radius + pitch * height(i % FLANKS.length);
             for (int side = 0; side < 2; side++) {
@@ -80,7 +81,8 @@ final class Teeth {
         int[] index = new int[24 * (n - 1) + 12];
         int at = 0;
         for (int i = 0; i < n; i++) {
-            double middle = i / FLANKS.length - 0.5 * teeth + 0.5;
+            int tooth = i / FLANKS.length;
+            double middle = tooth - 0.5 * teeth + 0.5;
             double x = pitch * (middle + FLANKS[i % FLANKS.length]);
             double y = pitchLine + pitch * height(i % FLANKS.length);
             put(xyz, i, x, y, half);
