@@ -1,6 +1,5 @@
 package dev.cairn.system;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.render.app.Offscreen;
@@ -10,7 +9,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 import java.io.ByteArrayOutputStream;
-import java.io.File;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -85,23 +83,7 @@ final class CommandRunsTest {
         }
         assertTrue(lines.size() >= (draws ? 10 : 8), lines.toString());
         Files.writeString(folder.resolve("mug.obj"), MUG);
-        List<String> command = new ArrayList<>();
-        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        command.add("--add-modules=jdk.incubator.vector");
-        command.add("--enable-native-access=ALL-UNNAMED");
-        command.add("-cp");
-        StringBuilder whole = new StringBuilder();
-        for (String entry : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
-            whole.append(Path.of(entry).toAbsolutePath()).append(File.pathSeparator);
-        }
-        command.add(whole.toString());
-        command.add(Probe.class.getName());
-        command.addAll(lines);
-        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
-        builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
-        Process process = builder.directory(folder.toFile()).start();
-        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertEquals(0, process.waitFor(), said);
+        String said = Jvm.runInside(folder, Probe.class.getName(), lines);
         for (String line : lines) {
             assertTrue(said.contains("0 " + line + System.lineSeparator()), line + ": " + said);
         }

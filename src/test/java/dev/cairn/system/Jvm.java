@@ -23,8 +23,24 @@ final class Jvm {
         return run(directory, flags, "dev.cairn.samples.Main", arguments);
     }
 
-    /** Standard output of a run that must end with exit code 0. */
+    /** Standard output of a run that must end with exit code 0; it starts where this JVM did. */
     static String run(Path directory, List<String> flags, String mainClass, List<String> arguments)
+            throws IOException, InterruptedException {
+        return run(Path.of("").toAbsolutePath(), directory, flags, mainClass, arguments);
+    }
+
+    /** The same of one that starts in the directory, and so finds and leaves files there. */
+    static String runInside(Path directory, String mainClass, List<String> arguments)
+            throws IOException, InterruptedException {
+        return run(directory, directory, List.of(), mainClass, arguments);
+    }
+
+    private static String run(
+            Path start,
+            Path directory,
+            List<String> flags,
+            String mainClass,
+            List<String> arguments)
             throws IOException, InterruptedException {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
@@ -44,6 +60,7 @@ final class Jvm {
         Path err = Files.createTempFile(directory, "err", ".txt");
         Process process =
                 new ProcessBuilder(command)
+                        .directory(start.toFile())
                         .redirectOutput(out.toFile())
                         .redirectError(err.toFile())
                         .start();

@@ -43,6 +43,7 @@ public final class Swing {
     /** Runs a tick. */
     public void run(SolverContext tick, SubStep sub, JointStore store, Assembly s) {
         s.keeps = JointEnergy.keeps(tick, store, s);
+        // how it is solved decides how fine its steps are
         solve.open(tick, sub, store, s);
         solve.choose();
         boolean isSmooth = s.isDirect && !s.isRough();
