@@ -11,9 +11,6 @@ import dev.cairn.samples.SceneRegistry;
  * Prints, for every scene, the bytes that the second half of its ticks allocated; one line each.
  */
 final class AllocationProbe {
-    /** Bodies; scenes of more are looked at for a quarter of the time. */
-    private static final int CROWD = 30;
-
     private AllocationProbe() {}
 
     /** Arguments: ticks, workers. */
@@ -37,13 +34,12 @@ final class AllocationProbe {
                         .build()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
             meter.attach();
-            int count = world.bodyCount() > CROWD ? ticks / 4 : ticks;
             long sum = 0;
-            for (int tick = 1; tick <= count; tick++) {
+            for (int tick = 1; tick <= ticks; tick++) {
                 built.beforeTick();
                 long before = meter.bytes();
                 world.step(SampleScene.STEP_SECONDS);
-                sum += 2 * tick > count ? meter.bytes() - before : 0;
+                sum += 2 * tick > ticks ? meter.bytes() - before : 0;
                 built.afterTick();
             }
             return sum;

@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
 
 /**
  * A steady tick allocates nothing, on the simulation thread and on the helpers: exactly 0 bytes in
- * all of the second half of 20 seconds (of 5, where there are many bodies), in every scene.
+ * all of the second half of 20 seconds, in every scene.
  *
  * <p>The JVM that is measured stops at C1. When a thread asks for a C2 compilation, HotSpot first
  * resolves the string constants of the method's class on that thread, which are our error messages;
