@@ -15,6 +15,7 @@ import dev.cairn.samples.SceneRegistry;
 import dev.cairn.samples.SceneReport;
 import dev.cairn.samples.SceneRun;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -135,6 +136,7 @@ final class DeterminismTest {
         return JsonParser.parseString(json).getAsJsonObject().get("lanes").getAsInt();
     }
 
+    @Tag("compiled")
     @ParameterizedTest
     @ValueSource(strings = {"pyramid", "room", "pile", "arch"})
     void anyNumberOfLanesGivesTheSameBits(String id) {
@@ -154,6 +156,7 @@ final class DeterminismTest {
     }
 
     /** A few ticks of every scene, then more of those that shake the most. */
+    @Tag("compiled")
     @ParameterizedTest
     @MethodSource("scenes")
     void inSinglePrecisionToo(String id) {

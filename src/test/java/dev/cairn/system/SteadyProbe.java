@@ -8,7 +8,8 @@ import dev.cairn.samples.SceneReport;
 import dev.cairn.samples.SceneRun;
 
 /**
- * Prints, for every scene, the bytes per tick that its runner reports; one line each.
+ * Prints, for each scene that is asked for, the bytes per tick that its runner reports; a line
+ * each.
  *
  * <p>While HotSpot still compiles, each window of ticks that the runner looks at may hold a
  * compilation, which costs bytes on the thread that asks for it. What ticks themselves allocate
@@ -19,11 +20,12 @@ final class SteadyProbe {
 
     private SteadyProbe() {}
 
-    /** Argument: workers. */
+    /** Arguments: workers, and the scenes. */
     public static void main(String[] arguments) {
         int workers = Integer.parseInt(arguments[0]);
         int substeps = PhysicsSettings.DEFAULT.substeps();
-        for (SampleScene scene : SceneRegistry.all()) {
+        for (int i = 1; i < arguments.length; i++) {
+            SampleScene scene = SceneRegistry.get(arguments[i]);
             SceneOptions options = SceneOptions.defaults(scene);
             // long scenes end early, short ones run on: a window of few ticks may each time hold a
             // compilation

@@ -10,6 +10,7 @@ import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.support.Scenes;
 
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -88,6 +89,7 @@ class FarTest {
         }
     }
 
+    @Tag("compiled")
     @ParameterizedTest
     @ValueSource(ints = {2, 3, 4})
     void theSameBitsThereForAnyWorkersAndLanes(int workers) {

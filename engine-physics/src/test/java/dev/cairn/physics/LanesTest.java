@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.support.Scenes;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.Arrays;
@@ -15,6 +16,7 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 
 /** The same bits for any number of lanes and workers. */
+@Tag("compiled")
 class LanesTest {
     private static void sameForAll(int ticks, int leastContacts, Consumer<PhysicsWorld> scene) {
         long[] reference = null;

@@ -6,12 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.support.Scenes;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
 import java.util.List;
 
 /** Warming up at a loading screen: progress is told, and no bit depends on it. */
+@Tag("compiled")
 class WarmUpTest {
     private static long stack() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {

@@ -19,6 +19,7 @@ import dev.cairn.physics.shape.Sphere;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -150,6 +151,7 @@ class KinematicTest {
     }
 
     /** Riders that stand, lean and slip: the same bits for all workers and lanes. */
+    @Tag("compiled")
     @Test
     void ridersAreTheSameForWorkersAndLanes() {
         Set<Long> digests = new HashSet<>();
@@ -387,6 +389,7 @@ class KinematicTest {
         }
     }
 
+    @Tag("compiled")
     @ParameterizedTest
     @CsvSource({"2, 1", "2, 8", "3, 0"})
     void theSameBitsForAnyWorkersAndLanes(int workers, int lanes) {

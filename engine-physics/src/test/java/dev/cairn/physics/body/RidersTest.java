@@ -183,6 +183,7 @@ class RidersTest {
         }
     }
 
+    @Tag("compiled")
     @Test
     void theSameBitsForWorkersAndLanes() {
         for (long seed = 0; seed < 2; seed++) {

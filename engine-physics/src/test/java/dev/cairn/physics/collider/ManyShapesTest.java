@@ -18,6 +18,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.support.Scenes;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -90,6 +91,7 @@ class ManyShapesTest {
     }
 
     /** Each pair of shapes asked by itself is the oracle, while bodies come, change and go. */
+    @Tag("compiled")
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
     void thePairsAreThoseOfAskingEachOfEach(long seed) {

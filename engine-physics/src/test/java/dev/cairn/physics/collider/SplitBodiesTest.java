@@ -18,6 +18,7 @@ import dev.cairn.physics.support.Scenes;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -287,6 +288,7 @@ class SplitBodiesTest {
         }
     }
 
+    @Tag("compiled")
     @Test
     void theSameBitsForWorkersAndLanes() {
         Set<Long> digests = new HashSet<>();

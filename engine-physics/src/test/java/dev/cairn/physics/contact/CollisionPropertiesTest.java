@@ -32,6 +32,7 @@ import net.jqwik.api.constraints.LongRange;
 import net.jqwik.api.statistics.Statistics;
 
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -46,6 +47,7 @@ import java.util.Set;
  * among it: each end has its begin, a list of who touches that is made of events alone is that of
  * the world, the state holds, and the bits do not depend on workers or lanes.
  */
+@Tag("compiled")
 class CollisionPropertiesTest {
     private static final Filter[] FILTERS = {
         Filter.ALL,

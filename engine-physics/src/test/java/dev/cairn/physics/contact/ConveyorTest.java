@@ -20,6 +20,7 @@ import dev.cairn.physics.tuning.Precision;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -327,6 +328,7 @@ class ConveyorTest {
         }
     }
 
+    @Tag("compiled")
     @Test
     void theSameBitsForWorkersAndLanes() {
         Scenes.assertSameBits(world -> {

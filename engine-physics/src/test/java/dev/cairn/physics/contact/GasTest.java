@@ -13,6 +13,7 @@ import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.support.Scenes;
 
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
@@ -31,6 +32,7 @@ class GasTest {
     /** Of the exact events. */
     private static final int BALLS = 4;
 
+    @Tag("compiled")
     @Test
     void keepsItsEnergy() {
         long digest = run(1, 1);

@@ -11,6 +11,7 @@ import dev.cairn.physics.support.Scenes;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.SplittableRandom;
@@ -19,6 +20,7 @@ import java.util.SplittableRandom;
  * Boxes that tumble and strike each other at 40 and 300 m/s: a mirrored world has mirrored bits.
  */
 class MirroredImpactTest {
+    @Tag("compiled")
     @Test
     void mirroredImpactsHaveMirroredBits() {
         StringBuilder who = new StringBuilder();

@@ -299,6 +299,7 @@ class SweepTest {
     }
 
     /** Fast bodies in a box: the same bits for any number of workers. */
+    @Tag("compiled")
     @Test
     void theSameBitsForWorkers() {
         assertEquals(box(1, 1), box(2, 8));

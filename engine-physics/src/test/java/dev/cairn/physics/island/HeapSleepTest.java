@@ -13,6 +13,7 @@ import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.support.Scenes;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
@@ -20,6 +21,7 @@ import java.util.List;
 import java.util.Random;
 
 /** Heaps that are still but for a creep sleep, also beside a body that goes on moving. */
+@Tag("compiled")
 class HeapSleepTest {
     private static final long SEED = 11;
 

@@ -16,6 +16,7 @@ import dev.cairn.physics.shape.TriangleMesh;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -34,6 +35,7 @@ final class StandingMachinesTest {
     private static final double WHEEL = 0.2;
 
     /** A body on four wheels, let fall: flat, and on its nose. */
+    @Tag("compiled")
     @ParameterizedTest(name = "{0} times the mass, tilted by {1}, on triangles {2}")
     @CsvSource({
         "2, 0, false",

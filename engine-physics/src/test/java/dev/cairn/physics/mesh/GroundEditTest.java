@@ -18,6 +18,7 @@ import dev.cairn.physics.shape.Sphere;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.io.ByteArrayInputStream;
@@ -188,6 +189,7 @@ class GroundEditTest {
         return digests;
     }
 
+    @Tag("compiled")
     @Test
     void theSameBitsForWorkersAndLanes() {
         long[] first = digests(1, 1);

@@ -21,6 +21,7 @@ import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.TriangleMesh;
 
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.io.ByteArrayInputStream;
@@ -251,6 +252,7 @@ class GroundMaterialTest {
         return world;
     }
 
+    @Tag("compiled")
     @Test
     void theSameBitsForWorkersLanesAndAfterReadingBytes() throws IOException {
         try (PhysicsWorld world = mixed(1, 1);

@@ -14,6 +14,7 @@ import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.HashMap;
@@ -43,6 +44,7 @@ class HillsTest {
         return digests;
     }
 
+    @Tag("compiled")
     @Test
     void theSameBitsForWorkersAndLanes() {
         long[] first = digests(1, 1);

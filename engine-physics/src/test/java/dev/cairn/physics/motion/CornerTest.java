@@ -15,6 +15,7 @@ import dev.cairn.physics.shape.Sphere;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -23,6 +24,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /** A floor without end stays a floor beside walls that stand on it, in any direction. */
+@Tag("compiled")
 class CornerTest {
     private static final int SEED = 20261125;
     private static final double STEP = 1 / 60.0;

@@ -16,6 +16,7 @@ import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.tuning.Precision;
 
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
@@ -397,6 +398,7 @@ class RollingTest {
         assertTrue(height[2] > height[0] + 0.03, "arm R/5: " + height[2]);
     }
 
+    @Tag("compiled")
     @Test
     void aHeapHasTheSameBitsForAnyLanesAndWorkers() {
         for (Precision precision : new Precision[] {Precision.DOUBLE, Precision.SINGLE}) {

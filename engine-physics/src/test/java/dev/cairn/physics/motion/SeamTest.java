@@ -183,6 +183,7 @@ class SeamTest {
     }
 
     /** Any number of workers and lanes, the same bits. */
+    @Tag("compiled")
     @Test
     void theSameBitsForWorkersAndLanes() {
         double[] truth = null;

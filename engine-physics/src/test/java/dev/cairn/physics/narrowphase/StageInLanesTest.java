@@ -18,6 +18,7 @@ import dev.cairn.physics.tuning.Tuning;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.SplittableRandom;
@@ -26,6 +27,7 @@ import java.util.SplittableRandom;
  * The stage gives each row the same bits whether its rows go in one lot, which is large enough for
  * lanes, or in lots that are not; rows that hardly move, that move, and that are apart, mixed.
  */
+@Tag("compiled")
 class StageInLanesTest {
     private static final double STEP = 1.0 / 60.0;
     private static final int ROWS = 640;

@@ -13,6 +13,7 @@ import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.SplittableRandom;
@@ -21,6 +22,7 @@ import java.util.SplittableRandom;
  * Pairs with hulls that start from the features of the last tick tell the true depth within their
  * bound, whatever word they are given.
  */
+@Tag("compiled")
 class WarmHullsTest {
     private final NarrowPhase warm = new NarrowPhase();
     private final Manifold m = new Manifold(), alone = new Manifold();

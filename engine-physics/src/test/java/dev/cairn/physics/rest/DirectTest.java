@@ -17,6 +17,7 @@ import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.support.Scenes;
 import dev.cairn.physics.tuning.Tunable;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -125,6 +126,7 @@ class DirectTest {
     }
 
     /** The same bits for any number of workers and lanes, in batches and in lockstep. */
+    @Tag("compiled")
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void bitsDependOnTheSceneAlone(boolean bounces) {

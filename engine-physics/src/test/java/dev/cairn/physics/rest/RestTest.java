@@ -12,6 +12,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.support.Scenes;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -20,6 +21,7 @@ import java.util.Arrays;
 import java.util.Random;
 
 /** What rests keeps its contact points and comes to rest. */
+@Tag("compiled")
 class RestTest {
     private static int[] names(PhysicsWorld world) {
         ContactStore c = Inside.contacts(world);

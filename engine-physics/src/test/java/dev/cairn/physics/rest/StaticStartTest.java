@@ -12,6 +12,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.support.Scenes;
 
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -74,6 +75,7 @@ class StaticStartTest {
         }
     }
 
+    @Tag("compiled")
     @ParameterizedTest
     @CsvSource({"3, 4", "2, 8"})
     void theSameBitsForAnyWorkersAndLanes(int workers, int lanes) {

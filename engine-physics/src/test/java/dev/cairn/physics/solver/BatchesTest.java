@@ -14,6 +14,7 @@ import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -21,6 +22,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import java.util.Arrays;
 
 /** Islands in batches: a partition that shares no body, and the bits of lockstep. */
+@Tag("compiled")
 class BatchesTest {
     private static final int COLUMNS = 100;
     private static final int ON_PLATE = 360;

@@ -13,11 +13,13 @@ import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.Arrays;
 
 /** Large islands in domains: a partition, the same bits for all, and momentum. */
+@Tag("compiled")
 class DomainsTest {
     /** 1156 contacts: more than a batch may have. */
     private static final int COURSES = 34;

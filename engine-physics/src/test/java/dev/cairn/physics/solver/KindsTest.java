@@ -8,6 +8,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** A kind of constraint beside contacts: what it is told, and that it is solved with them. */
@@ -73,6 +74,7 @@ final class KindsTest {
     }
 
     /** A net of balls with rods on a floor: neither lanes nor workers change a bit. */
+    @Tag("compiled")
     @Test
     void sameBits() {
         double[] expected = net(1, 1);

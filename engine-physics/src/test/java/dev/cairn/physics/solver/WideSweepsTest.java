@@ -18,6 +18,7 @@ import dev.cairn.physics.solver.wide.WideSweeps;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -29,6 +30,7 @@ import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 
 /** Wide kernels that are no faster than scalar code are left alone: a warning, the same bits. */
+@Tag("compiled")
 class WideSweepsTest {
     private static final String NAME = "dev.cairn.physics";
 

@@ -13,6 +13,7 @@ import dev.cairn.physics.mesh.Grounds;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
@@ -23,6 +24,7 @@ import java.util.function.ObjIntConsumer;
  * A world may be saved at any moment of its life: at every second tick around an event it is saved,
  * and goes on from there as it did, in itself and in a new world of other workers and lanes.
  */
+@Tag("compiled")
 class EveryMomentTest {
     private static final double STEP = 1.0 / 60;
     private static final int AHEAD = 8;

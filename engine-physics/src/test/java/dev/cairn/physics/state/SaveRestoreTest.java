@@ -31,6 +31,7 @@ import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
@@ -39,6 +40,7 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 
 /** A world that is restored goes on as the one that was saved did, whatever happened in between. */
+@Tag("compiled")
 class SaveRestoreTest {
     private static final double STEP = 1.0 / 60;
 

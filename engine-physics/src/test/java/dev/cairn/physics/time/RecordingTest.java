@@ -34,6 +34,7 @@ import java.util.SplittableRandom;
 import java.util.function.BiConsumer;
 
 /** Runs that are written down with what was done in them come again, and tell where they do not. */
+@Tag("compiled")
 class RecordingTest {
     private static final double STEP = 1.0 / 60;
 

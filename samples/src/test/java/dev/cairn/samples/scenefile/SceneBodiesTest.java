@@ -29,6 +29,7 @@ import dev.cairn.samples.scenefile.edit.SceneEdit;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -226,6 +227,7 @@ class SceneBodiesTest {
         }
     }
 
+    @Tag("compiled")
     @Test
     void whatIsWrittenAndReadGoesOnWithTheSameBits(@TempDir Path folder) {
         SampleScene read = again(SCENE, folder);

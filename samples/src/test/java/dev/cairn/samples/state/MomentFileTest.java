@@ -35,6 +35,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /** A moment of a scene that was written to a file goes on elsewhere as it went on here. */
+@Tag("compiled")
 class MomentFileTest {
     private static final int MANY = 150;
 

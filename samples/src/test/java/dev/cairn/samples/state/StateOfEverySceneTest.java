@@ -20,6 +20,7 @@ import java.util.List;
  * Every scene goes on from a saved state with the same bits: in the same world, and in another one
  * of other workers and lanes, which has seen nothing of it.
  */
+@Tag("compiled")
 class StateOfEverySceneTest {
     private static final double STEP = SampleScene.STEP_SECONDS;
 
