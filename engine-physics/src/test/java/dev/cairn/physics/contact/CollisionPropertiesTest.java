@@ -28,11 +28,11 @@ import dev.cairn.physics.support.Scenes;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.ShrinkingMode;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.LongRange;
 import net.jqwik.api.statistics.Statistics;
 
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.Tag;
 
 import java.util.ArrayList;
 import java.util.HashSet;
