@@ -162,6 +162,9 @@ public final class Assembly {
     /** By row: impulse in work. */
     final double[] impulse;
 
+    /** By row: impulses of both halves of the sub-step before. */
+    final double[] load;
+
     /** By row: what it measured when the sub-step began, before it was moved. */
     final double[] begun;
 
@@ -293,6 +296,8 @@ public final class Assembly {
         now = new double[n];
         isActive = new boolean[n];
         compliance = new double[n];
+
+        load = new double[2 * n];
         impulse = new double[n];
         first = new double[FIRST * body.length];
         firstImpulse = new double[n];

@@ -1,12 +1,16 @@
 package dev.cairn.physics.solver.joint;
 
 import static dev.cairn.physics.solver.row.ConstraintRows.ARM_B;
+import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
 import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
+import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
+import static dev.cairn.physics.solver.row.ConstraintRows.LEVER;
 import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
 import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
 import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
 import static dev.cairn.physics.solver.row.ConstraintRows.SEPARATION;
 import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
+import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT1;
 
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.row.ConstraintRows;
@@ -92,29 +96,83 @@ abstract class ContactCoupling extends GapClosing {
     /**
      * Takes what was given here out of the next warm start, at the end of a sub-step. It was a blow
      * or is still to be found by the sweeps; given again as if it were a load, it would throw the
-     * assembly off.
+     * assembly off. So would the friction of a blow, which stopped a wheel that spun: it is left
+     * what the normal impulses that stay allow.
+     *
+     * @return share of what was given here that may be a load: no more than the assembly weighs
      */
-    void forget(ConstraintRows rows) {
+    double forget(ConstraintRows rows, double seconds) {
+        double given = 0;
+        for (int e = 0; e < s.standCount && s.gives; e++) {
+            for (int p = 0; p < rows.points(rows.list.place[s.stand[e]]); p++) {
+                given += Math.max(0, s.blows[Assembly.POINTS * e + p]);
+            }
+        }
+        double load = given > 0 ? mass() * tick.weight() * seconds : 0;
+        double share = given > load ? load / given : 1;
         for (int e = 0; e < s.standCount && s.gives; e++) {
             int m = s.stand[e];
             int j = rows.list.place[m];
             int side = rows.list.slotA[m] >= 0 ? 0 : 1;
-            int o = rows.base(j);
-            for (int p = 0; p < rows.points(j); p++) {
-                int q = o + (POINT + p * POINT_FIELDS) * rows.lanes;
-                int l = q + IMPULSE * rows.lanes;
-                double part = Math.min(s.blows[Assembly.POINTS * e + p], rows.doubles[l]);
-                if (part > 0) {
-                    rows.doubles[l] -= part;
-                    int arm = q + (side == 0 ? 0 : ARM_B * rows.lanes);
-                    double[] to = tick.body.mark;
-                    int body = rows.link[j * LINK + side];
-                    int at = body / SolverBodies.STRIDE * SolverBodies.HALF;
-                    add(rows.doubles, rows.lanes, o, arm, body, side == 0 ? -part : part, to, at);
-                }
+            forgetNormals(rows, e, j, side);
+            if (share < 1) {
+                forgetFriction(rows, j, side);
             }
         }
         s.gives = false;
+        return share;
+    }
+
+    private void forgetNormals(ConstraintRows rows, int e, int j, int side) {
+        int o = rows.base(j);
+        for (int p = 0; p < rows.points(j); p++) {
+            int q = o + (POINT + p * POINT_FIELDS) * rows.lanes;
+            int l = q + IMPULSE * rows.lanes;
+            double part = Math.min(s.blows[Assembly.POINTS * e + p], rows.doubles[l]);
+            if (part > 0) {
+                rows.doubles[l] -= part;
+                int arm = q + (side == 0 ? 0 : ARM_B * rows.lanes);
+                takeBack(rows, j, side, o, arm, part);
+            }
+        }
+    }
+
+    /** Draws friction back into the cone {@code |f| <= mu N} of the impulses that are left. */
+    private void forgetFriction(ConstraintRows rows, int j, int side) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        int o = rows.base(j);
+        double limit = 0;
+        for (int p = 0; p < rows.points(j); p++) {
+            limit += d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes];
+        }
+        limit *= d[o + FRICTION * lanes];
+        double f = Math.hypot(d[o + LAMBDA * lanes], d[o + (LAMBDA + 1) * lanes]);
+        double goes = f > limit ? 1 - limit / f : 0;
+        for (int t = 0; t < 2 && goes > 0; t++) {
+            int l = o + (LAMBDA + t) * lanes;
+            double part = goes * d[l];
+            d[l] -= part;
+            int lever = o + (LEVER + 6 * side + 3 * t) * lanes;
+            takeBack(rows, j, side, o + (TANGENT1 + 3 * t) * lanes, lever, part);
+        }
+    }
+
+    /** Takes an impulse of a row out of the warm start of its body. */
+    private void takeBack(
+            ConstraintRows rows, int j, int side, int direction, int arm, double impulse) {
+        int body = rows.link[j * LINK + side];
+        int at = body / SolverBodies.STRIDE * SolverBodies.HALF;
+        double signed = side == 0 ? -impulse : impulse;
+        add(rows.doubles, rows.lanes, direction, arm, body, signed, tick.body.mark, at);
+    }
+
+    private double mass() {
+        double sum = 0;
+        for (int i : s.body) {
+            sum += 1 / tick.body.state[SolverBodies.offset(i) + SolverBodies.MASS];
+        }
+        return sum;
     }
 
     /** Adds what an impulse does to the velocities of a body, or to what stands beside them. */

@@ -105,6 +105,8 @@ public final class JointSolve extends PositionTrial {
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = row(k, r);
+                s.load[2 * r] = scale * store.before[row];
+                s.load[2 * r + 1] = scale * store.after[row];
                 double whole = s.parts * (store.before[row] + store.after[row]);
                 s.impulse[r] = scale * (s.parts > 1 ? whole : store.before[row]);
                 push(k, r, s.impulse[r]);

@@ -106,10 +106,11 @@ abstract class VelocityHalf extends JointWork {
         if (stands(rows, sub, false)) {
             stop();
         }
-        forget(rows);
+        double load = forget(rows, sub.seconds);
         if (counts) {
             relieve(false);
             end();
+            keepLoad(load);
         }
     }
 
@@ -134,6 +135,26 @@ abstract class VelocityHalf extends JointWork {
             }
             factor(false);
             correct();
+        }
+    }
+
+    /**
+     * What joints passed on of a blow is no first guess for the next sub-step: it would be given
+     * twice, and a stop that caught a car would throw it up.
+     *
+     * @param share of what has come to them in the sub-step that may be a load
+     */
+    private void keepLoad(double share) {
+        for (int k = 0; k < s.joint.length && share < 1; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                int row = row(k, r);
+                if (store.role[row] <= JointStore.LIMIT) {
+                    double before = s.load[2 * r];
+                    double after = s.load[2 * r + 1];
+                    store.before[row] = before + share * (store.before[row] - before);
+                    store.after[row] = after + share * (store.after[row] - after);
+                }
+            }
         }
     }
 
