@@ -230,6 +230,9 @@ final class WindowInput {
 
     /** False if the event has to wait for the next frame. */
     private boolean handle(int i, @Nullable NuklearUi panels, double pixelsPerPoint) {
+        if (panels != null && kind[i] != CURSOR && (kind[i] != KEY || (detail[i] & 3) != REPEAT)) {
+            panels.input().stir(); // what it does may show in panels
+        }
         switch (kind[i]) {
             case KEY -> key(code[i], detail[i] & 3, detail[i] >> 2, panels);
             case BUTTON -> {

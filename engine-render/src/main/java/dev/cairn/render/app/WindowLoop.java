@@ -196,7 +196,7 @@ final class WindowLoop {
         NuklearUi ui = panels;
         if (ui != null) {
             long start = System.nanoTime();
-            ui.begin(into.width(), into.height());
+            ui.begin(into.width(), into.height(), start);
             application.panels(ui, view);
             if (application.isHelpShown()) {
                 help.draw(ui, application.bindings());

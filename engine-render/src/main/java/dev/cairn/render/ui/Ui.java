@@ -48,6 +48,17 @@ public interface Ui {
     double scale();
 
     /**
+     * Lets all panels stay as they are drawn, so that this frame costs next to nothing: for who
+     * shows what may be a tenth of a second old. To be called before the first panel of a frame.
+     * They are made anew after a tenth of a second, when the window's size changes, and for a fifth
+     * of a second after the user did something: pressed, typed, turned the wheel, moved the mouse
+     * over a panel.
+     *
+     * @return true if they stay in this frame: {@link #panel} returns false then
+     */
+    boolean keep();
+
+    /**
      * Begins a panel with a title bar by which the user can fold it. Call {@link #endPanel} in any
      * case.
      *
@@ -56,7 +67,7 @@ public interface Ui {
      * @param top its upper edge
      * @param panelWidth its width
      * @param panelHeight its height; what does not fit scrolls
-     * @return false if it is folded, so that its widgets can be left out
+     * @return false if it is folded, or stays by {@link #keep}: leave its widgets out
      */
     boolean panel(String title, double left, double top, double panelWidth, double panelHeight);
 
@@ -296,6 +307,13 @@ public interface Ui {
      * @return the count
      */
     long changes();
+
+    /**
+     * How many draw calls the panels of the last frame took, for tests.
+     *
+     * @return the count
+     */
+    int draws();
 
     /**
      * Where a widget was drawn last, for tests and guided tours.

@@ -33,7 +33,7 @@ class PanelsTest extends Drawing {
             for (int frame = 0; frame < 2; frame++) {
                 ui.input().begin();
                 ui.input().end();
-                ui.begin(WIDTH, HEIGHT);
+                ui.begin(WIDTH, HEIGHT, 0);
                 content.accept(ui);
                 draw(stage.publish(), 1, new Camera(), FLAT);
                 view.paint(ui);
@@ -219,7 +219,7 @@ class PanelsTest extends Drawing {
             ui.input().button(MouseButton.LEFT, right, y, false);
             ui.input().moved(lower[0], lower[1] + lower[3] / 2);
             ui.input().end();
-            ui.begin(WIDTH, HEIGHT);
+            ui.begin(WIDTH, HEIGHT, 0);
             sliders.accept(ui);
             view.paint(ui);
             panels(ui, sliders);
@@ -275,7 +275,7 @@ class PanelsTest extends Drawing {
                 for (int frame = 0; frame < 3; frame++) { // a new panel takes two to settle
                     ui.input().begin();
                     ui.input().end();
-                    ui.begin(WIDTH, HEIGHT);
+                    ui.begin(WIDTH, HEIGHT, 0);
                     ui.panel("A", 10, 10, 120, 60);
                     ui.label(texts[i]);
                     ui.endPanel();
@@ -313,7 +313,7 @@ class PanelsTest extends Drawing {
                     }
                     ui.input().moved(300, 150); // away, so that nothing is lit
                     ui.input().end();
-                    ui.begin(WIDTH, HEIGHT);
+                    ui.begin(WIDTH, HEIGHT, 0);
                     ui.panel("A", 10, 10, 120, 60);
                     ui.endPanel();
                     ui.panel("B", 100, 40, 120, 60);
@@ -346,7 +346,7 @@ class PanelsTest extends Drawing {
                 long before = threads.getCurrentThreadAllocatedBytes();
                 ui.input().begin();
                 ui.input().end();
-                ui.begin(WIDTH, HEIGHT);
+                ui.begin(WIDTH, HEIGHT, 0);
                 ui.panel("All widgets", 5, 5, 300, 170);
                 ui.label("label");
                 ui.value("value, µs", text.clear().put(frame * 0.37, 2));

@@ -45,7 +45,7 @@ class TextFieldsTest extends Drawing {
         ui.input().begin();
         events.accept(ui.input());
         ui.input().end();
-        ui.begin(WIDTH, HEIGHT);
+        ui.begin(WIDTH, HEIGHT, 0);
         ui.panel("A", 5, 5, 300, 170);
         content = ui.textField("field", content);
         ui.endPanel();

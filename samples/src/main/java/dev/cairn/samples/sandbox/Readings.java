@@ -8,7 +8,8 @@ import org.joml.Vector3d;
  * not made anew. Where the scene stands, goes back or is another one, at once. Window thread.
  */
 final class Readings {
-    static final long PERIOD_NANOS = 100_000_000;
+    /** A little less than panels stay by {@code Ui.keep}, so that each making has new ones. */
+    static final long PERIOD_NANOS = 90_000_000;
 
     long tick;
     long oldestTick;
@@ -22,7 +23,17 @@ final class Readings {
 
     private int scene = -1;
     private String held = "";
+    private boolean stood;
     private long readNanos;
+
+    /** Whether panels must be made anew in this frame, whenever they were made last. */
+    boolean mustShow(SandboxState state, boolean stands) {
+        return isOther(state) || stands != stood || (stands && state.tick != tick);
+    }
+
+    private boolean isOther(SandboxState state) {
+        return state.scene != scene || state.tick < tick || !state.held.equals(held);
+    }
 
     /**
      * Takes the numbers of now if it is time to.
@@ -31,7 +42,8 @@ final class Readings {
      * @param nowNanos a clock's
      */
     void read(SandboxState state, double fps, boolean stands, long nowNanos) {
-        boolean isOther = state.scene != scene || state.tick < tick || !state.held.equals(held);
+        boolean isOther = isOther(state);
+        stood = stands;
         if (!stands && !isOther && nowNanos - readNanos < PERIOD_NANOS) {
             return;
         }

@@ -450,6 +450,7 @@ public class Sandbox extends Application {
     @Override
     protected void panels(Ui ui, View view) {
         SandboxState state = states.latest();
+        panels.read(ui, view, state);
         thrower.aspect(view.aspect());
         editorPanels.dropped(view, state.entities);
         showJoints(editor.mode() == Editor.Mode.REST);

@@ -97,7 +97,6 @@ final class SandboxPanels {
         if (hidden) {
             return;
         }
-        read(view, state);
         if (state.scene != shownScene) {
             shownScene = state.scene;
             asked.clear();
@@ -115,15 +114,18 @@ final class SandboxPanels {
         time.draw(ui, state);
     }
 
-    private void read(View view, SandboxState state) {
-        readings.read(state, view.framesPerSecond(), sandbox.isPaused(), System.nanoTime());
+    /** Takes the numbers of now where panels are made anew; has them stay where they may. */
+    void read(Ui ui, View view, SandboxState state) {
+        boolean stands = sandbox.isPaused();
+        if (readings.mustShow(state, stands) || !ui.keep()) {
+            readings.read(state, view.framesPerSecond(), stands, System.nanoTime());
+        }
     }
 
     /** The part that goes with an edited scene that runs. */
     void drawPlaying(Ui ui, View view, SandboxState state) {
         hand(view, state);
         time.ghosts(view, state);
-        read(view, state);
         time.draw(ui, state);
         double above = Places.isNarrow(ui) ? EditorPanels.PLAYING_HEIGHT + GAP : 0;
         simulation.draw(ui, view, state, GAP + above, true);

@@ -36,6 +36,12 @@ public final class NuklearInput {
     private int letterBytes;
     private boolean keyed;
 
+    /** Whether an event came since the last frame that may change what panels show. */
+    private boolean stirred = true;
+
+    /** Whether the left button went down over a panel, and is down. */
+    private boolean holding;
+
     NuklearInput(NkContext context, NkVec2 vector) {
         this.context = context;
         this.vector = vector;
@@ -48,6 +54,7 @@ public final class NuklearInput {
         letterBytes = 0;
         keyed = false;
         nk_input_begin(context);
+        stirred |= wentOn || waitingCount > 0;
         if (wentOn) {
             wentOn = false;
             moved(laterX, laterY);
@@ -80,7 +87,9 @@ public final class NuklearInput {
             return;
         }
         cursorX = x;
+        boolean wasOver = nk_window_is_any_hovered(context);
         nk_input_motion(context, (int) x, (int) y);
+        stirred |= holding || wasOver || nk_window_is_any_hovered(context);
     }
 
     /**
@@ -96,8 +105,10 @@ public final class NuklearInput {
             cursorX = x;
             leftDown = down;
             leftPressed |= down;
+            holding = down && nk_window_is_any_hovered(context);
         }
         clicked = true;
+        stirred = true;
         int code =
                 switch (which) {
                     case LEFT -> NK_BUTTON_LEFT;
@@ -116,6 +127,7 @@ public final class NuklearInput {
      * @param steps away from the user
      */
     public void scrolled(double steps) {
+        stirred = true;
         nk_input_scroll(context, vector.set(0, (float) steps));
     }
 
@@ -135,6 +147,7 @@ public final class NuklearInput {
      * waits, so that in slow frames nothing is lost and nothing overtakes.
      */
     private void offer(int event) {
+        stirred = true;
         if (waitingCount == 0 && take(event)) {
             return;
         }
@@ -207,6 +220,18 @@ public final class NuklearInput {
         if (code != NK_KEY_NONE) {
             offer(-1 - (2 * code + (isDown ? 1 : 0)));
         }
+    }
+
+    /** Something happened that is no event of the panels, and may change what they show. */
+    public void stir() {
+        stirred = true;
+    }
+
+    /** Whether something happened since the last call. */
+    boolean wasStirred() {
+        boolean was = stirred;
+        stirred = false;
+        return was;
     }
 
     /** Where the cursor is, real pixels. */

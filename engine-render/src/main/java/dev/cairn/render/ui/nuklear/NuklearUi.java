@@ -49,6 +49,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     private final UiShares shares = new UiShares();
     private final UiPictures pictures = new UiPictures(context);
+    private final UiPace pace = new UiPace();
     private final UiPlaces places = new UiPlaces();
     private final UiSections sections = new UiSections();
     private final SliderText sliderText = new SliderText();
@@ -131,20 +132,39 @@ public final class NuklearUi implements Ui, AutoCloseable {
      *
      * @param width of the picture, real pixels
      * @param height of the picture, real pixels
+     * @param nowNanos of {@link System#nanoTime}
      */
-    public void begin(int width, int height) {
+    public void begin(int width, int height, long nowNanos) {
         pixelWidth = width;
         pixelHeight = height;
+        pace.begin(width, height, nowNanos, input.wasStirred());
+    }
+
+    @Override
+    public boolean keep() {
+        return pace.keep();
+    }
+
+    /** Before the first widget of a frame, and when none came; false if what is there stays. */
+    private boolean makes() {
+        if (!pace.begins()) {
+            return pace.makes();
+        }
         fields.nextFrame();
         letters.nextFrame();
         panels.nextFrame();
+        return true;
     }
 
-    /** Draws all panels into the bound framebuffer and forgets them. */
+    /** Draws all panels into the bound framebuffer. */
     public void paint() {
-        painter.draw(context, pixelWidth, pixelHeight);
-        nk_clear(context);
-        fields.frameDone();
+        boolean made = makes();
+        painter.draw(made ? context : null, pixelWidth, pixelHeight);
+        if (made) {
+            nk_clear(context);
+            fields.frameDone();
+            pace.done();
+        }
     }
 
     @Override
@@ -167,6 +187,9 @@ public final class NuklearUi implements Ui, AutoCloseable {
     @Override
     public boolean panel(
             String title, double left, double top, double panelWidth, double panelHeight) {
+        if (!makes()) {
+            return false;
+        }
         panelNow = title;
         rect.set(px(left), px(top), px(Math.max(panelWidth, 1)), px(Math.max(panelHeight, 1)));
         panelTop = rect.y();
@@ -191,7 +214,9 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public void endPanel() {
-        nk_end(context);
+        if (makes()) {
+            nk_end(context);
+        }
     }
 
     @Override
@@ -257,6 +282,11 @@ public final class NuklearUi implements Ui, AutoCloseable {
     @Override
     public long changes() {
         return geometry.changes();
+    }
+
+    @Override
+    public int draws() {
+        return geometry.batches();
     }
 
     @Override
@@ -466,7 +496,9 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public void cross(double x, double y, int rgb) {
-        cross.draw(x, y, rgb);
+        if (makes()) {
+            cross.draw(x, y, rgb);
+        }
     }
 
     @Override

@@ -117,9 +117,14 @@ final class UiGeometry implements AutoCloseable {
         return changes;
     }
 
+    /** Binds the triangles for drawing. */
+    void bind() {
+        glBindVertexArray(vertexArray);
+    }
+
     /**
-     * Takes what was collected in this frame and binds its triangles: vertex array and buffers
-     * other than before are bound afterwards.
+     * Takes what was collected in this frame, after {@link #bind}; another buffer than before is
+     * bound afterwards.
      */
     void update(NkContext context) {
         // Writes in which order the panels lie over each other into the commands.
@@ -129,7 +134,6 @@ final class UiGeometry implements AutoCloseable {
                         MemoryUtil.memGetAddress(
                                 context.address() + NkContext.MEMORY + NkBuffer.ALLOCATED);
         commands.limit(bytes);
-        glBindVertexArray(vertexArray);
         if (commands.equals(made)) {
             return;
         }
