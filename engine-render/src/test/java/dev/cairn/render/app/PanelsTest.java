@@ -144,6 +144,23 @@ class PanelsTest extends Drawing {
         to.endPanel();
     }
 
+    /** Roboto has the alphabets of Europe; what it has not is a question mark for each letter. */
+    @Test
+    void lettersOfEuropeAreDrawnAndOthersAreQuestionMarks() {
+        try (NuklearUi ui = new NuklearUi(1)) {
+            int[] unknown = panels(ui, to -> text(to, "????")).argb();
+            for (String word : new String[] {"žluť", "мост", "ґЁђЯ", "Άρης", "łőțı", "–“…€"}) {
+                int[] seen = panels(ui, to -> text(to, word)).argb();
+                assertFalse(Arrays.equals(unknown, seen), word);
+                int[] half = panels(ui, to -> text(to, word.substring(0, 2) + "??")).argb();
+                assertFalse(Arrays.equals(half, seen), "the end of " + word);
+            }
+            for (String word : new String[] {"שלום", "場面です", "🎲🎲🎲🎲"}) {
+                assertArrayEquals(unknown, panels(ui, to -> text(to, word)).argb(), word);
+            }
+        }
+    }
+
     @Test
     void lettersStandUpright() {
         try (NuklearUi ui = new NuklearUi(2)) {

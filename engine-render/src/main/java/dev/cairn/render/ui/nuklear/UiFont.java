@@ -51,12 +51,25 @@ final class UiFont implements AutoCloseable {
     private static final double REGULAR_SIZE = 15;
     private static final double TITLE_SIZE = 15;
 
-    /** Latin-1, which is what Nuklear bakes. */
-    private static final int LETTERS = 256;
+    /**
+     * First and last letter of what is baked: Latin with the letters of Europe's languages, Greek,
+     * Cyrillic, and dashes, quotes and signs of text. Each other letter is drawn as "?".
+     */
+    private static final int[] BAKED = {
+        ' ', 0x17F, 0x218, 0x21B, 0x386, 0x3CE, 0x400, 0x45F, 0x490, 0x491, 0x2010, 0x2026, 0x20AC,
+        0x20AC, 0x2212, 0x2212
+    };
+
+    /** Letters whose widths are known by their number: up to the last one of Cyrillic. */
+    private static final int LETTERS = 0x492;
 
     private final NkAllocator allocator = NkAllocator.calloc();
     private final NkFontAtlas atlas = NkFontAtlas.calloc();
     private final NkDrawNullTexture whiteTexel = NkDrawNullTexture.calloc();
+
+    /** {@link #BAKED}, ended by 0; Nuklear looks letters up by it. */
+    private final IntBuffer ranges = MemoryUtil.memAllocInt(BAKED.length + 1);
+
     private final NkUserFont regular;
     private final NkUserFont title;
     private final int texture;
@@ -72,6 +85,7 @@ final class UiFont implements AutoCloseable {
      * @param scale real pixels to a logical one
      */
     UiFont(double scale) {
+        ranges.put(BAKED).put(0).flip();
         allocator.alloc((handle, old, size) -> MemoryUtil.nmemAllocChecked(size));
         allocator.mfree((handle, pointer) -> MemoryUtil.nmemFree(pointer));
         nk_font_atlas_init(atlas, allocator);
@@ -129,6 +143,9 @@ final class UiFont implements AutoCloseable {
         try (MemoryStack stack = MemoryStack.stackPush()) {
             NkFontConfig config = NkFontConfig.calloc(stack);
             nk_font_config((float) pixels, config);
+            if (bytes != null) {
+                config.range(ranges);
+            }
             NkFont font =
                     bytes == null
                             ? nk_font_atlas_add_default(atlas, (float) pixels, config)
@@ -169,6 +186,7 @@ final class UiFont implements AutoCloseable {
     @Override
     public void close() {
         nk_font_atlas_clear(atlas);
+        MemoryUtil.memFree(ranges);
         GlObjects.deleteTexture(texture);
         whiteTexel.free();
         atlas.free();
