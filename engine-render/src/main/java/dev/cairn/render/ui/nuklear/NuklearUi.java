@@ -26,7 +26,6 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private static final double LINE = 19;
     private static final double PLOT = 46;
     private static final double PICTURE = 31;
-    private static final double KNOB_INSET = 9;
 
     /** Padding and rounding of a button, see {@link UiStyle}. */
     private static final double BUTTON_INSET = 10;
@@ -55,13 +54,12 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final SliderText sliderText = new SliderText();
     private final NuklearInput input = new NuklearInput(context, vector);
     private final UiFields fields = new UiFields(context, input);
+    private final UiDrag drag = new UiDrag(context, input);
     private int pixelWidth;
     private int pixelHeight;
     private String panelNow = "";
     private float panelTop;
     private float panelBottom;
-    private String movedPanel = "";
-    private String movedSlider = "";
     private final UiPanels panels = new UiPanels();
     private boolean panelOpen;
     private int columns;
@@ -333,8 +331,6 @@ public final class NuklearUi implements Ui, AutoCloseable {
         nnk_label_colored_wrap(context.address(), letters.of(text), first.address());
     }
 
-    // Widgets ----------------------------------------------------------------------------------
-
     @Override
     public boolean button(String label) {
         cell(ROW);
@@ -359,7 +355,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public boolean isHeld(String label) {
-        return movedSlider.equals(label) && movedPanel.equals(panelNow);
+        return drag.isHeld(panelNow, label);
     }
 
     @Override
@@ -373,38 +369,17 @@ public final class NuklearUi implements Ui, AutoCloseable {
         hint(hint);
         write(label, NK_TEXT_LEFT);
         double[] at = remember(label);
-        double share = SliderScale.share(min, max, value);
         hint(hint);
         double moved = value;
-        if (isMoved(label)) {
-            // Nuklear moves only by its knob; here the whole bar can be clicked.
-            double room = at[2] - 2 * KNOB_INSET;
-            double wanted =
-                    Math.clamp((input.cursorX() / scale - at[0] - KNOB_INSET) / room, 0.0, 1.0);
-            if (Math.abs(wanted - share) * room >= 0.5) {
-                moved =
-                        Math.clamp(
-                                SliderText.round(SliderScale.value(min, max, wanted), step),
-                                min,
-                                max);
-                share = wanted;
-            }
+        double share = SliderScale.share(min, max, value);
+        if (drag.begins(panelNow, label)) {
+            moved = drag.moved(at, scale, value, min, max, step);
+            share = drag.share();
         }
         MemoryUtil.memPutFloat(numbers, (float) share);
         nnk_slider_float(context.address(), 0, numbers, 1, 0.001f);
         write(sliderText.of(label, moved), NK_TEXT_RIGHT);
         return moved;
-    }
-
-    /** Whether the user drags this slider: the press was on it, and the button is still down. */
-    private boolean isMoved(String label) {
-        if (input.wasPressed() && nk_widget_is_hovered(context)) {
-            movedPanel = panelNow;
-            movedSlider = label;
-        } else if (!input.isDragging()) {
-            movedSlider = "";
-        }
-        return movedSlider.equals(label) && movedPanel.equals(panelNow);
     }
 
     @Override
