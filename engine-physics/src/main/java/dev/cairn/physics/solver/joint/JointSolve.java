@@ -147,6 +147,18 @@ public final class JointSolve extends PositionTrial {
         s.isFresh = false;
     }
 
+    /** The position half of a step of what touches nothing ends; see {@link NetSolve#flow}. */
+    void flow(boolean isLast) {
+        if (s.isNet) {
+            nets.flow(isLast);
+        }
+    }
+
+    /** Whether the step before this one was left without its velocity half. */
+    boolean flows() {
+        return nets.flows();
+    }
+
     /** A step of what touches nothing ends: a net that is left open goes on with factors. */
     void reconsider() {
         if (s.isNet && s.hasFactors && nets.isOpen()) {

@@ -21,8 +21,11 @@ final class NetSolve {
     /** What is missing by less than this share of a body's size is no matter. */
     private static final double CLOSED = 1e-13;
 
-    /** The same of gaps that are closed aside. */
+    /** The same of gaps that are closed aside, in nets that have factors to compare with. */
     private static final double NEARLY = 1e-9;
+
+    /** The same in nets that have none: a thousandth of what anybody sees. */
+    private static final double LOOSELY = 1e-6;
 
     /**
      * Share of its own inverse mass by which a row yields. What Newton's method lacks in directions
@@ -34,7 +37,10 @@ final class NetSolve {
     /** A few rounds do not find how bodies share a load whose masses differ by more. */
     private static final double ALIKE = 2;
 
-    /** Of its smallest body: a net with wider gaps is given to factors, if there are any. */
+    /**
+     * Of its smallest body: a net with wider gaps is given to factors, if there are any; if not, it
+     * gets both halves of each step.
+     */
     private static final double OPEN = 1e-5;
 
     private final InnerMotion inner = new InnerMotion();
@@ -46,6 +52,12 @@ final class NetSolve {
 
     /** Speed at which gaps are closed, m/s. */
     private double push;
+
+    /** Halves of a step that the impulses in work are those of. */
+    private double halves = 1;
+
+    /** Whether the last step was left without its velocity half. */
+    private boolean flows;
 
     NetSolve(SolverContext tick, JointStore store, Assembly none) {
         this.tick = tick;
@@ -60,6 +72,8 @@ final class NetSolve {
         s = assembly;
         net = assembly.net;
         push = pushSpeed;
+        halves = 1;
+        flows = false;
     }
 
     /** Begin of a tick: whether the assembly is a net of balls now, and if so, its numbers. */
@@ -118,11 +132,15 @@ final class NetSolve {
 
     /** Whether the last sub-step has left a joint farther open than factors would. */
     boolean isOpen() {
+        return !(widest() <= OPEN * s.size);
+    }
+
+    private double widest() {
         double worst = 0;
         for (double gap : net.gap) {
             worst = Math.max(worst, Math.abs(gap));
         }
-        return !(worst <= OPEN * s.size);
+        return worst;
     }
 
     /** Gives the impulses back to the rows. */
@@ -138,7 +156,28 @@ final class NetSolve {
     /** The impulses of the last sub-step, unless they add too much energy. */
     void warm(double scale, double gain) {
         derive();
-        start(net.before, scale, gain);
+        halves = flows ? 2 : 1;
+        start(net.before, halves * scale, gain);
+    }
+
+    /**
+     * The position half of a step of what touches nothing ends. What its velocity half would take
+     * from the velocities the position half of the next step takes, too, as both push along {@code
+     * J(x')^T}: all positions are the same without it (RATTLE's are SHAKE's). So it is left out
+     * where nobody sees the velocities, but in nets that whip, which two halves keep closer
+     * together, and in those that are compared with factors.
+     */
+    void flow(boolean isLast) {
+        flows = false;
+        if (!isLast && !s.hasFactors) {
+            s.isFresh = false;
+            derive();
+            flows = widest() <= OPEN * s.size;
+        }
+    }
+
+    boolean flows() {
+        return flows;
     }
 
     private void start(double[] first, double scale, double gain) {
@@ -232,11 +271,11 @@ final class NetSolve {
         if (stay) {
             move(h);
         }
-        net.keep(net.before);
+        net.keep(net.before, 1 / halves);
         for (int p = 0; p < net.joint.length; p++) {
             int at = 6 * s.joint[net.joint[p]];
             for (int c = 0; c < 3; c++) {
-                store.reaction[at + c] = net.impulse[3 * p + c] / h;
+                store.reaction[at + c] = net.impulse[3 * p + c] / (halves * h);
                 store.reaction[at + 3 + c] = 0;
             }
         }
@@ -295,7 +334,7 @@ final class NetSolve {
         s.isFresh = false;
         derive();
         if (isWarm) {
-            start(net.after, 1, gain);
+            start(halves > 1 ? net.before : net.after, 1, gain);
         } else {
             Arrays.fill(net.impulse, 0.0);
         }
@@ -327,7 +366,7 @@ final class NetSolve {
         if (!counts) {
             return;
         }
-        net.keep(net.after);
+        net.keep(net.after, 1);
         for (int p = 0; p < net.joint.length; p++) {
             int at = 6 * s.joint[net.joint[p]];
             for (int c = 0; c < 3; c++) {
@@ -345,7 +384,7 @@ final class NetSolve {
             worst = Math.max(worst, Math.abs(gap));
             net.missing[r] = -gap;
         }
-        if (!(worst > NEARLY * s.size)) {
+        if (!(worst > (s.hasFactors ? NEARLY : LOOSELY) * s.size)) {
             return;
         }
         if (!s.isGrounded) {

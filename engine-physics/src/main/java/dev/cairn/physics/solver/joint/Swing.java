@@ -55,7 +55,10 @@ public final class Swing {
         last = 0;
         double h = sub.seconds / parts;
         for (int k = 0; k < sub.count * parts; k++) {
-            s.energy = JointEnergy.kinetic(tick, s) + JointEnergy.potential(tick, s);
+            if (!solve.flows()) {
+                s.energy = JointEnergy.kinetic(tick, s) + JointEnergy.potential(tick, s);
+            }
+            boolean isLast = k == sub.count * parts - 1;
             if (isFine) {
                 step(tick, s, OUTER * h, false);
                 step(tick, s, OUTER * h, false);
@@ -63,9 +66,9 @@ public final class Swing {
                 step(tick, s, OUTER * h, false);
                 step(tick, s, OUTER * h, false);
             } else {
-                step(tick, s, h, false);
+                step(tick, s, h, false, isLast);
             }
-            if (s.keeps) {
+            if (s.keeps && !solve.flows()) {
                 energy.settle(tick, s, false);
             }
             solve.reconsider();
@@ -177,6 +180,10 @@ public final class Swing {
     }
 
     private void step(SolverContext tick, Assembly s, double h, boolean isStruck) {
+        step(tick, s, h, isStruck, true);
+    }
+
+    private void step(SolverContext tick, Assembly s, double h, boolean isStruck, boolean isLast) {
         double[] g = tick.gravity;
         for (int i : s.body) {
             Motion.kick(tick.bodies, tick.body, i, g[0], g[1], g[2], h);
@@ -186,6 +193,10 @@ public final class Swing {
         solve.position(h, true);
         for (int i : s.body) {
             JointSolve.renew(tick, i);
+        }
+        solve.flow(isLast);
+        if (solve.flows()) {
+            return;
         }
         solve.beginVelocity(!s.isDirect, true);
         solve.velocity(h, true, isStruck);

@@ -120,31 +120,34 @@ final class PathFactors {
         }
     }
 
-    /**
-     * Goes a step along the way, and writes what each path alone would do about what is missing
-     * then; its size.
-     */
-    double approach(PointNet net, double step) {
+    /** What each path alone would do about what is missing; its size. */
+    double approach(PointNet net) {
+        double size = 0;
+        int from = 0;
+        while (from < begins.length) {
+            int to = from + 1;
+            while (to < begins.length && !begins[to]) {
+                to++;
+            }
+            forth(net, from, to);
+            size += back(net, from, to);
+            from = to;
+        }
+        return size;
+    }
+
+    private void forth(PointNet net, int from, int to) {
         double[] near = net.near;
         double[] missing = net.missing;
-        double[] solution = net.solution;
-        double[] effect = net.effect;
-        double[] way = net.way;
         double x = 0;
         double y = 0;
         double z = 0;
-        for (int p = 0; p < begins.length; p++) {
+        for (int p = from; p < to; p++) {
             int o = 3 * p;
-            double gx = missing[o] - step * effect[o];
-            double gy = missing[o + 1] - step * effect[o + 1];
-            double gz = missing[o + 2] - step * effect[o + 2];
-            missing[o] = gx;
-            missing[o + 1] = gy;
-            missing[o + 2] = gz;
-            solution[o] += step * way[o];
-            solution[o + 1] += step * way[o + 1];
-            solution[o + 2] += step * way[o + 2];
-            if (!begins[p]) {
+            double gx = missing[o];
+            double gy = missing[o + 1];
+            double gz = missing[o + 2];
+            if (p > from) {
                 int w = 9 * p;
                 gx -= link[w] * x + link[w + 1] * y + link[w + 2] * z;
                 gy -= link[w + 3] * x + link[w + 4] * y + link[w + 5] * z;
@@ -157,18 +160,16 @@ final class PathFactors {
             near[o + 1] = y;
             near[o + 2] = z;
         }
-        return back(net);
     }
 
-    private double back(PointNet net) {
+    private double back(PointNet net, int from, int to) {
         double[] near = net.near;
         double[] missing = net.missing;
         double x = 0;
         double y = 0;
         double z = 0;
         double size = 0;
-        boolean goesOn = false;
-        for (int p = begins.length - 1; p >= 0; p--) {
+        for (int p = to - 1; p >= from; p--) {
             int o = 3 * p;
             int d = 6 * p;
             double fx = near[o];
@@ -177,13 +178,12 @@ final class PathFactors {
             double gx = inverse[d] * fx + inverse[d + 3] * fy + inverse[d + 4] * fz;
             double gy = inverse[d + 3] * fx + inverse[d + 1] * fy + inverse[d + 5] * fz;
             double gz = inverse[d + 4] * fx + inverse[d + 5] * fy + inverse[d + 2] * fz;
-            if (goesOn) {
+            if (p < to - 1) {
                 int w = 9 * p + 9;
                 gx -= link[w] * x + link[w + 3] * y + link[w + 6] * z;
                 gy -= link[w + 1] * x + link[w + 4] * y + link[w + 7] * z;
                 gz -= link[w + 2] * x + link[w + 5] * y + link[w + 8] * z;
             }
-            goesOn = !begins[p];
             x = gx;
             y = gy;
             z = gz;

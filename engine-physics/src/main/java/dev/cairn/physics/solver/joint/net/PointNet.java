@@ -185,13 +185,13 @@ public final class PointNet {
     }
 
     /** Keeps the impulses for the next one. */
-    public void keep(double[] last) {
+    public void keep(double[] last, double scale) {
         for (int p = 0; p < joint.length; p++) {
             int o = 3 * a[p];
             int q = 3 * p;
-            double x = impulse[q];
-            double y = impulse[q + 1];
-            double z = impulse[q + 2];
+            double x = scale * impulse[q];
+            double y = scale * impulse[q + 1];
+            double z = scale * impulse[q + 2];
             last[q] = turn[o] * x + turn[o + 3] * y + turn[o + 6] * z;
             last[q + 1] = turn[o + 1] * x + turn[o + 4] * y + turn[o + 7] * z;
             last[q + 2] = turn[o + 2] * x + turn[o + 5] * y + turn[o + 8] * z;
@@ -277,13 +277,18 @@ public final class PointNet {
     public void solve() {
         Arrays.fill(solution, 0.0);
         Arrays.fill(way, 0.0);
-        Arrays.fill(effect, 0.0);
         Arrays.fill(linearSum, 0.0);
         Arrays.fill(angularSum, 0.0);
-        double size = paths.approach(this, 0);
-        double goal = NEAR * size;
-        double turned = 0;
-        for (int round = 0; round < ROUNDS && size > goal; round++) {
+        double left = 0;
+        for (double m : missing) {
+            left += m * m;
+        }
+        double goal = NEAR * left;
+        double size = 1;
+        for (int round = 0; round < ROUNDS && left > goal; round++) {
+            double next = paths.approach(this);
+            double turned = round == 0 ? 0 : next / size;
+            size = next;
             for (int r = 0; r < way.length; r++) {
                 way[r] = near[r] + turned * way[r];
             }
@@ -297,9 +302,13 @@ public final class PointNet {
                 linearSum[r] += step * linear[r];
                 angularSum[r] += step * angular[r];
             }
-            double next = paths.approach(this, step);
-            turned = next / size;
-            size = next;
+            left = 0;
+            for (int r = 0; r < way.length; r++) {
+                solution[r] += step * way[r];
+                double m = missing[r] - step * effect[r];
+                missing[r] = m;
+                left += m * m;
+            }
         }
     }
 
