@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
@@ -19,6 +20,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -144,6 +146,55 @@ final class StandingMachinesTest {
                 assertTrue(joint.gap() < 1e-4, "tick " + t + ": " + joint.gap());
             }
             assertEquals(0.02, foot.position(new Vector3d()).y, 1e-3);
+        }
+    }
+
+    /**
+     * A car on soft springs falls on the stops of its suspension with its driven wheels spinning.
+     * The stops catch it once, and it drives off as its motors want: {@code a = 2 T/r / (M + 4 (m +
+     * I/r^2))} with two motors of T.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 4, 5, 6, 8, 16})
+    void aCarThatFallsOnItsStopsDrivesOff(int substeps) {
+        double radius = 0.35;
+        double mass = 800;
+        double wheelMass = 20;
+        double torque = 400;
+        double start = 0.75;
+        try (PhysicsWorld world =
+                PhysicsWorld.builder()
+                        .gravity(0, -G, 0)
+                        .settings(PhysicsSettings.DEFAULT.withSubsteps(substeps))
+                        .sleeping(false)
+                        .build()) {
+            world.add(Body.fixed().shape(HalfSpace.of()).material(new Material(0.9, 0, 1000)));
+            Body chassis = Body.dynamic().shape(Box.ofHalfExtents(1.2, 0.25, 0.6)).mass(mass);
+            BodyRef car = world.add(chassis.at(0, start, 0));
+            for (int k = 0; k < 4; k++) {
+                double x = k < 2 ? 0.8 : -0.8;
+                double z = k % 2 == 0 ? 0.8 : -0.8;
+                Body wheel = Body.dynamic().shape(Sphere.of(radius)).mass(wheelMass);
+                wheel.material(new Material(0.9, 0, 1000));
+                Joint joint =
+                        Joint.wheel(car, world.add(wheel.at(x, radius + 0.01, z)), 2, 0.7)
+                                .at(x, radius + 0.01, z)
+                                .axis(0, 0, 1)
+                                .secondAxis(0, 1, 0)
+                                .limits(JointAxis.Y, -0.15, 0.15);
+                world.add(k < 2 ? joint : joint.motor(-15, torque));
+            }
+            double speed = 0;
+            for (int t = 1; t <= 60; t++) {
+                world.step(STEP);
+                double y = car.position(new Vector3d()).y;
+                assertTrue(y < start, "tick " + t + ": it was thrown up to " + y);
+                speed = t == 40 ? car.velocity(new Vector3d()).x : speed;
+            }
+            double inertia = 0.4 * wheelMass; // of a ball, over r^2
+            double acceleration = 2 * torque / radius / (mass + 4 * (wheelMass + inertia));
+            double gained = car.velocity(new Vector3d()).x - speed;
+            assertEquals(acceleration * 20 * STEP, gained, 0.03 * acceleration * 20 * STEP);
         }
     }
 }

@@ -139,8 +139,8 @@ abstract class VelocityHalf extends JointWork {
     }
 
     /**
-     * What joints passed on of a blow is no first guess for the next sub-step: it would be given
-     * twice, and a stop that caught a car would throw it up.
+     * What limits passed on of a blow is no first guess for the next sub-step: a stop that caught a
+     * car would throw it up. Locks are equations, which take a wrong guess back.
      *
      * @param share of what has come to them in the sub-step that may be a load
      */
@@ -148,7 +148,7 @@ abstract class VelocityHalf extends JointWork {
         for (int k = 0; k < s.joint.length && share < 1; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = row(k, r);
-                if (store.role[row] <= JointStore.LIMIT) {
+                if (store.role[row] == JointStore.LIMIT) {
                     double before = s.load[2 * r];
                     double after = s.load[2 * r + 1];
                     store.before[row] = before + share * (store.before[row] - before);
