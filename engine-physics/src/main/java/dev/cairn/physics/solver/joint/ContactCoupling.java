@@ -147,7 +147,9 @@ abstract class ContactCoupling extends GapClosing {
             limit += d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes];
         }
         limit *= d[o + FRICTION * lanes];
-        double f = Math.hypot(d[o + LAMBDA * lanes], d[o + (LAMBDA + 1) * lanes]);
+        double f1 = d[o + LAMBDA * lanes];
+        double f2 = d[o + (LAMBDA + 1) * lanes];
+        double f = Math.sqrt(f1 * f1 + f2 * f2);
         double goes = f > limit ? 1 - limit / f : 0;
         for (int t = 0; t < 2 && goes > 0; t++) {
             int l = o + (LAMBDA + t) * lanes;
