@@ -41,7 +41,7 @@ abstract class GapClosing extends HoldingRows {
     void close(boolean isStruck) {
         boolean isNoted = false;
         opened = 0;
-        int M=Integer.getInteger("mode",0); closesAtOnce = M!=1 && s.isDirect && (M==2? s.isRigid : (isStruck || s.isRigid));
+        closesAtOnce = s.isDirect && (isStruck || s.isRigid);
         double closely = s.standCount > 0 ? CLOSELY_STANDING : CLOSELY;
         for (int round = 0; round < (s.isDirect ? CLOSINGS : 1); round++) {
             double worst = gaps(round == 0);
@@ -108,7 +108,7 @@ abstract class GapClosing extends HoldingRows {
                 }
                 // what is far apart is drawn nearer only once
                 double most = Math.max(reach(isAngle), isAngle ? turned : turned * size);
-                double by = begins ? (Integer.getInteger("mode",0)==3 && store.role[row]!=JointStore.LOCK ? 0 : opened(r, isAngle, size)) : opened;
+                double by = begins ? opened(r, isAngle, size) : opened;
                 opened = gap == 0 ? opened : Math.max(opened, by);
                 most += isAngle ? by : by * size;
                 gap = begins || Math.abs(gap) < most ? within(gap, most) : 0;
