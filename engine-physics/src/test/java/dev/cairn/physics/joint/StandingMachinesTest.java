@@ -182,7 +182,10 @@ final class StandingMachinesTest {
                                 .axis(0, 0, 1)
                                 .secondAxis(0, 1, 0)
                                 .limits(JointAxis.Y, -0.15, 0.15);
-                world.add(k < 2 ? joint : joint.motor(-15, torque));
+                world.add(
+                        k < 2
+                                ? joint.spring(JointAxis.SWING_Y, 0, 8, 1)
+                                : joint.motor(-15, torque));
             }
             double speed = 0;
             for (int t = 1; t <= 60; t++) {

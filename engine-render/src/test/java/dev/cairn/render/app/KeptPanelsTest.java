@@ -157,14 +157,20 @@ class KeptPanelsTest extends Drawing {
         }
     }
 
+    /** Half a second in which nobody does anything. */
+    private PoseSnapshot settled(Stage stage, Desk desk) {
+        PoseSnapshot scene = stage.publish();
+        for (int frame = 0; frame < 30; frame++) {
+            desk.frame(scene, NOTHING);
+        }
+        return scene;
+    }
+
     @Test
     void whatChangesByItselfIsSeenWithinATenthOfASecond() {
         try (Stage stage = new Stage();
                 Desk kept = new Desk(true)) {
-            PoseSnapshot scene = stage.publish();
-            for (int frame = 0; frame < 30; frame++) {
-                kept.frame(scene, NOTHING);
-            }
+            PoseSnapshot scene = settled(stage, kept);
             int layouts = kept.layouts;
             long changes = kept.ui.changes();
             int[] before = kept.frame(scene, NOTHING);
@@ -187,10 +193,7 @@ class KeptPanelsTest extends Drawing {
     void theMouseElsewhereLeavesThemAndOverThemIsSeenAtOnce() {
         try (Stage stage = new Stage();
                 Desk kept = new Desk(true)) {
-            PoseSnapshot scene = stage.publish();
-            for (int frame = 0; frame < 30; frame++) {
-                kept.frame(scene, NOTHING);
-            }
+            PoseSnapshot scene = settled(stage, kept);
             int layouts = kept.layouts;
             int[] before = kept.frame(scene, NOTHING);
             for (int frame = 0; frame < 30; frame++) {
@@ -209,10 +212,8 @@ class KeptPanelsTest extends Drawing {
     void whatIsBegunBeforeTheQuestionIsDrawn() {
         try (Stage stage = new Stage();
                 Desk kept = new Desk(true)) {
-            PoseSnapshot scene = stage.publish();
-            for (int frame = 0; frame < 31; frame++) {
-                kept.frame(scene, NOTHING);
-            }
+            PoseSnapshot scene = settled(stage, kept);
+            kept.frame(scene, NOTHING);
             Ui ui = kept.ui;
             kept.ui.begin(WIDTH, HEIGHT, kept.nanos + 1);
             assertTrue(ui.panel("A", 5, 5, 150, 170));

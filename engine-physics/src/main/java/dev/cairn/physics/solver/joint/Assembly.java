@@ -296,7 +296,6 @@ public final class Assembly {
         now = new double[n];
         isActive = new boolean[n];
         compliance = new double[n];
-
         load = new double[2 * n];
         impulse = new double[n];
         first = new double[FIRST * body.length];
