@@ -32,6 +32,15 @@ public final class Assemblies implements Stateful {
     /** By slot: its assembly, or -1. */
     private int[] ofBody = {};
 
+    /** See {@link #touch}. */
+    private static final int LOOKS = 3;
+
+    private static final int NONE = -1;
+    private static final int SEVERAL = -2;
+
+    /** By slot of a body in no assembly: the one that it touches. */
+    private int[] touched = {};
+
     /** By edge of the last tick: joint, bodies. */
     private int[] seen = {};
 
@@ -107,17 +116,51 @@ public final class Assemblies implements Stateful {
         return !same;
     }
 
-    /** Notes which contacts of a list are between an assembly and what does not move. */
+    /**
+     * Notes which contacts of a list are between an assembly and what does not move, or what moves
+     * by itself and touches no other assembly.
+     */
     public void stand(EdgeList list) {
         for (int a = 0; a < all.size(); a++) {
             all.get(a).standCount = 0;
+            all.get(a).touchCount = 0;
         }
         for (int m = 0; m < list.contacts && !all.isEmpty(); m++) {
             int slot = list.mover(m);
-            boolean isAlone = !list.isBetweenMovers(m) && !list.isSingle[m];
-            if (isAlone && binds(slot) && all.get(ofBody[slot]).hasFactors) {
+            if (!list.isBetweenMovers(m) && isSolvedWith(list, m, slot)) {
                 all.get(ofBody[slot]).stand(m);
             }
+        }
+        for (int look = 0; look < LOOKS && !all.isEmpty(); look++) {
+            for (int m = 0; m < list.contacts; m++) {
+                if (list.isBetweenMovers(m) && binds(list.slotA[m]) != binds(list.slotB[m])) {
+                    touch(list, m, look);
+                }
+            }
+        }
+    }
+
+    private boolean isSolvedWith(EdgeList list, int m, int slot) {
+        return !list.isSingle[m] && binds(slot) && all.get(ofBody[slot]).hasFactors;
+    }
+
+    /**
+     * A contact of an assembly with a body that is in none. The first look forgets what that body
+     * touched, the second finds the assembly or that there are several, the last notes the contact.
+     */
+    private void touch(EdgeList list, int m, int look) {
+        int bound = binds(list.slotA[m]) ? list.slotA[m] : list.slotB[m];
+        int free = bound == list.slotA[m] ? list.slotB[m] : list.slotA[m];
+        int a = ofBody[bound];
+        if (look == 0) {
+            if (free >= touched.length) {
+                touched = Arrays.copyOf(touched, 2 * free + 2);
+            }
+            touched[free] = NONE;
+        } else if (look == 1) {
+            touched[free] = touched[free] == NONE || touched[free] == a ? a : SEVERAL;
+        } else if (touched[free] == a && isSolvedWith(list, m, bound)) {
+            all.get(a).touch(m);
         }
     }
 

@@ -169,11 +169,14 @@ public final class Assembly {
     final double[] begun;
 
     /**
-     * Edges of its contacts with what does not move, by the list of the tick; how many there are.
+     * Edges of its contacts by the list of the tick: first those with what does not move, then
+     * those with bodies that no joint holds and that touch no other assembly. How many there are of
+     * the first, and of both.
      */
     int[] stand = {};
 
     int standCount;
+    int touchCount;
 
     /**
      * By point of these: impulse that {@code ContactCoupling} gave in the sub-step; whether any.
@@ -182,13 +185,19 @@ public final class Assembly {
 
     boolean gives;
 
-    /** Notes a contact with what does not move. */
+    /** Notes a contact with what does not move; those come first. */
     void stand(int edge) {
-        if (standCount == stand.length) {
-            stand = Arrays.copyOf(stand, 2 * standCount + 4);
+        touch(edge);
+        standCount++;
+    }
+
+    /** Notes a contact with a body that moves. */
+    void touch(int edge) {
+        if (touchCount == stand.length) {
+            stand = Arrays.copyOf(stand, 2 * touchCount + 4);
             blows = new double[POINTS * stand.length];
         }
-        stand[standCount++] = edge;
+        stand[touchCount++] = edge;
     }
 
     /** Whether Newton's method fails again and again. */

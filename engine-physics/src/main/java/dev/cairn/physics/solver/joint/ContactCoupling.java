@@ -19,7 +19,7 @@ import dev.cairn.physics.solver.row.SubStep;
 import java.util.Arrays;
 
 /**
- * What an assembly stands on or falls on is solved with it.
+ * What an assembly stands on or falls on, and what lies on it or falls on it, is solved with it.
  *
  * <p>Problem: a sweep gives a light wheel what stops the wheel. The heavy cart above it goes on,
  * and joints, which have the last word, push the wheel into the floor: of what is missing a round
@@ -34,8 +34,9 @@ import java.util.Arrays;
  * </pre>
  *
  * <p>that is, all bodies at once and so that joints still hold: one solve with the factors of the
- * assembly. {@code k_pq = n_p du_q} couples the points of its contacts with what does not answer to
- * it, and they are swept by projected Gauss-Seidel until they agree. Points keep the goals that
+ * assembly. {@code k_pq = n_p du_q} couples the points of its contacts, and they are swept by
+ * projected Gauss-Seidel until they agree. A body that no joint holds adds what it answers itself,
+ * {@code n_p M^-1 n_q^T}; what else it touches is left to the sweeps. Points keep the goals that
  * they have in the sweeps; a soft one gives as much as k wants. Nothing is done where sweeps left
  * nothing to do.
  *
@@ -62,6 +63,10 @@ abstract class ContactCoupling extends GapClosing {
     private int[] link = new int[16];
     private int[] node = new int[16];
     private int[] place = new int[16];
+
+    /** By point: where the body lies that no joint holds, negative as A; 0 for none. */
+    private int[] free = new int[16];
+
     private double[] miss = new double[16];
     private double[] give = new double[16];
     private double[] change = new double[16];
@@ -70,13 +75,12 @@ abstract class ContactCoupling extends GapClosing {
     private double[] coupling = new double[256];
 
     /**
-     * Whether sweeps and joints have left contacts of the assembly with what does not answer to it
-     * less than solved.
+     * Whether sweeps and joints have left contacts of the assembly less than solved.
      *
      * @param soft as in the bias pass, before the movement; else as in the relax pass
      */
     boolean misses(ConstraintRows rows, SubStep sub, boolean soft) {
-        return s.standCount > 0
+        return s.touchCount > 0
                 && !rows.isSingle
                 && gather(rows, sub, soft) > LEFT * tick.weight() * sub.seconds;
     }
@@ -103,27 +107,26 @@ abstract class ContactCoupling extends GapClosing {
      */
     double forget(ConstraintRows rows, double seconds) {
         double given = 0;
-        for (int e = 0; e < s.standCount && s.gives; e++) {
+        for (int e = 0; e < s.touchCount && s.gives; e++) {
             for (int p = 0; p < rows.points(rows.list.place[s.stand[e]]); p++) {
                 given += Math.max(0, s.blows[Assembly.POINTS * e + p]);
             }
         }
-        double load = given > 0 ? mass() * tick.weight() * seconds : 0;
+        double load = given > 0 ? mass(rows) * tick.weight() * seconds : 0;
         double share = given > load ? load / given : 1;
-        for (int e = 0; e < s.standCount && s.gives; e++) {
-            int m = s.stand[e];
-            int j = rows.list.place[m];
-            int side = rows.list.slotA[m] >= 0 ? 0 : 1;
-            forgetNormals(rows, e, j, side);
+        for (int e = 0; e < s.touchCount && s.gives; e++) {
+            forgetNormals(rows, e);
             if (share < 1) {
-                forgetFriction(rows, j, side);
+                forgetFriction(rows, s.stand[e]);
             }
         }
         s.gives = false;
         return share;
     }
 
-    private void forgetNormals(ConstraintRows rows, int e, int j, int side) {
+    private void forgetNormals(ConstraintRows rows, int e) {
+        int m = s.stand[e];
+        int j = rows.list.place[m];
         int o = rows.base(j);
         for (int p = 0; p < rows.points(j); p++) {
             int q = o + (POINT + p * POINT_FIELDS) * rows.lanes;
@@ -131,14 +134,14 @@ abstract class ContactCoupling extends GapClosing {
             double part = Math.min(s.blows[Assembly.POINTS * e + p], rows.doubles[l]);
             if (part > 0) {
                 rows.doubles[l] -= part;
-                int arm = q + (side == 0 ? 0 : ARM_B * rows.lanes);
-                takeBack(rows, j, side, o, arm, part);
+                takeBack(rows, m, o, q, ARM_B, part);
             }
         }
     }
 
     /** Draws friction back into the cone {@code |f| <= mu N} of the impulses that are left. */
-    private void forgetFriction(ConstraintRows rows, int j, int side) {
+    private void forgetFriction(ConstraintRows rows, int m) {
+        int j = rows.list.place[m];
         double[] d = rows.doubles;
         int lanes = rows.lanes;
         int o = rows.base(j);
@@ -155,26 +158,50 @@ abstract class ContactCoupling extends GapClosing {
             int l = o + (LAMBDA + t) * lanes;
             double part = goes * d[l];
             d[l] -= part;
-            int lever = o + (LEVER + 6 * side + 3 * t) * lanes;
-            takeBack(rows, j, side, o + (TANGENT1 + 3 * t) * lanes, lever, part);
+            int lever = o + (LEVER + 3 * t) * lanes;
+            takeBack(rows, m, o + (TANGENT1 + 3 * t) * lanes, lever, 6, part);
         }
     }
 
-    /** Takes an impulse of a row out of the warm start of its body. */
+    /**
+     * Takes an impulse of a row out of the warm start of its bodies.
+     *
+     * @param arm of A; B's is {@code toB} fields behind it
+     */
     private void takeBack(
-            ConstraintRows rows, int j, int side, int direction, int arm, double impulse) {
-        int body = rows.link[j * LINK + side];
-        int at = body / SolverBodies.STRIDE * SolverBodies.HALF;
-        double signed = side == 0 ? -impulse : impulse;
-        add(rows.doubles, rows.lanes, direction, arm, body, signed, tick.body.mark, at);
+            ConstraintRows rows, int m, int direction, int arm, int toB, double impulse) {
+        for (int side = 0; side < 2; side++) {
+            int body = rows.link[rows.list.place[m] * LINK + side];
+            if ((side == 0 ? rows.list.slotA[m] : rows.list.slotB[m]) >= 0) {
+                int at = body / SolverBodies.STRIDE * SolverBodies.HALF;
+                double signed = side == 0 ? -impulse : impulse;
+                int of = arm + side * toB * rows.lanes;
+                add(rows.doubles, rows.lanes, direction, of, body, signed, tick.body.mark, at);
+            }
+        }
     }
 
-    private double mass() {
+    /** Masses of the assembly and of what it is solved with. */
+    private double mass(ConstraintRows rows) {
         double sum = 0;
         for (int i : s.body) {
             sum += 1 / tick.body.state[SolverBodies.offset(i) + SolverBodies.MASS];
         }
+        for (int e = s.standCount; e < s.touchCount; e++) {
+            int slot = freeSlot(rows, s.stand[e]);
+            boolean isNew = true;
+            for (int k = s.standCount; k < e && isNew; k++) {
+                isNew = freeSlot(rows, s.stand[k]) != slot;
+            }
+            sum += isNew ? 1 / tick.body.state[SolverBodies.offset(slot) + SolverBodies.MASS] : 0;
+        }
         return sum;
+    }
+
+    /** The body of a contact between two that move that is not of the assembly. */
+    private int freeSlot(ConstraintRows rows, int m) {
+        int a = rows.list.slotA[m];
+        return Arrays.binarySearch(s.body, a) < 0 ? a : rows.list.slotB[m];
     }
 
     /** Adds what an impulse does to the velocities of a body, or to what stands beside them. */
@@ -193,12 +220,15 @@ abstract class ContactCoupling extends GapClosing {
         int lanes = rows.lanes;
         double worst = 0;
         points = 0;
-        for (int e = 0; e < s.standCount; e++) {
+        for (int e = 0; e < s.touchCount; e++) {
             int m = s.stand[e];
             int j = rows.list.place[m];
             int o = rows.base(j);
-            int side = rows.list.slotA[m] >= 0 ? 0 : 1;
-            int n = Arrays.binarySearch(s.body, rows.list.mover(m));
+            boolean isFixed = e < s.standCount;
+            int n = Arrays.binarySearch(s.body, rows.list.slotA[m]);
+            int side = n >= 0 ? 0 : 1;
+            n = n >= 0 ? n : Arrays.binarySearch(s.body, rows.list.slotB[m]);
+            int other = isFixed ? 0 : rows.link[j * LINK + 1 - side];
             ensure(points + rows.points(j));
             for (int p = 0; p < rows.points(j); p++) {
                 int q = o + (POINT + p * POINT_FIELDS) * lanes;
@@ -210,12 +240,13 @@ abstract class ContactCoupling extends GapClosing {
                 }
                 double v = speed(d, lanes, o, q, j * LINK, rows.link);
                 v += isOpen ? gap * sub.inverse : soft ? 0 : sub.closing;
-                double lift = soft && !isOpen ? push(sub, gap) : 0;
+                double lift = soft && !isOpen ? push(sub, gap, isFixed) : 0;
                 worst = Math.max(worst, l > 0 && !soft ? Math.abs(v) : -(v + lift));
                 field[points] = q;
                 normal[points] = o;
                 sum[points] = o + (SUM + p) * lanes;
                 link[points] = rows.link[j * LINK + side] * (side == 0 ? -1 : 1);
+                free[points] = side == 0 ? other : -other;
                 node[points] = n;
                 place[points] = Assembly.POINTS * e + p;
                 miss[points] = v;
@@ -246,7 +277,7 @@ abstract class ContactCoupling extends GapClosing {
             load(d, lanes, q, 1);
             f.solve();
             for (int p = 0; p < points; p++) {
-                coupling[p * points + q] = felt(d, lanes, p);
+                coupling[p * points + q] = felt(d, lanes, p) + answer(d, lanes, p, q);
             }
         }
     }
@@ -278,6 +309,27 @@ abstract class ContactCoupling extends GapClosing {
         return link[p] < 0 ? -sum : sum;
     }
 
+    /** What a point feels of an impulse at another one as both are of the same free body, m/s. */
+    private double answer(double[] d, int lanes, int p, int q) {
+        int o = Math.abs(free[p]);
+        if (o == 0 || o != Math.abs(free[q])) {
+            return 0;
+        }
+        double k = tick.body.state[o + SolverBodies.MASS];
+        int armP = freeArm(p, lanes);
+        int armQ = freeArm(q, lanes);
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            sum += k * d[normal[p] + c * lanes] * d[normal[q] + c * lanes];
+            sum += d[armP + c * lanes] * d[armQ + c * lanes];
+        }
+        return free[p] < 0 == free[q] < 0 ? sum : -sum;
+    }
+
+    private int freeArm(int p, int lanes) {
+        return field[p] + (free[p] < 0 ? 0 : ARM_B * lanes);
+    }
+
     private int arm(int p, int lanes) {
         return field[p] + (link[p] < 0 ? 0 : ARM_B * lanes);
     }
@@ -293,15 +345,21 @@ abstract class ContactCoupling extends GapClosing {
             double gap = d[field[p] + SEPARATION * lanes];
             if (!(gap > sub.touch)) {
                 double k = coupling[p * points + p];
-                give[p] = sub.fixedImpulseScale * k / sub.fixedMassScale;
-                miss[p] += push(sub, gap) + give[p] * d[field[p] + IMPULSE * lanes];
+                boolean isFixed = free[p] == 0;
+                give[p] =
+                        isFixed
+                                ? sub.fixedImpulseScale * k / sub.fixedMassScale
+                                : sub.impulseScale * k / sub.massScale;
+                miss[p] += push(sub, gap, isFixed) + give[p] * d[field[p] + IMPULSE * lanes];
             }
         }
     }
 
     /** Speed at which an overlap is to close, negative, m/s. */
-    private static double push(SubStep sub, double gap) {
-        return Math.max(gap * sub.fixedRate, -sub.pushSpeed) / sub.fixedMassScale;
+    private static double push(SubStep sub, double gap, boolean isFixed) {
+        double rate = isFixed ? sub.fixedRate : sub.rate;
+        return Math.max(gap * rate, -sub.pushSpeed)
+                / (isFixed ? sub.fixedMassScale : sub.massScale);
     }
 
     /** Projected Gauss-Seidel: {@code l = max(l - miss/(k + give), 0)}, point by point. */
@@ -345,6 +403,11 @@ abstract class ContactCoupling extends GapClosing {
             s.blows[place[p]] += l;
             int o = Math.abs(link[p]);
             add(d, lanes, normal[p], arm(p, lanes), o, link[p] < 0 ? -l : l, v, o);
+            if (free[p] != 0) {
+                int other = Math.abs(free[p]);
+                double signed = free[p] < 0 ? -l : l;
+                add(d, lanes, normal[p], freeArm(p, lanes), other, signed, v, other);
+            }
         }
         f.solve();
         addImpulses();
@@ -359,6 +422,7 @@ abstract class ContactCoupling extends GapClosing {
             link = Arrays.copyOf(link, n);
             node = Arrays.copyOf(node, n);
             place = Arrays.copyOf(place, n);
+            free = Arrays.copyOf(free, n);
             miss = Arrays.copyOf(miss, n);
             give = Arrays.copyOf(give, n);
             change = Arrays.copyOf(change, n);

@@ -42,7 +42,7 @@ abstract class GapClosing extends HoldingRows {
         boolean isNoted = false;
         opened = 0;
         closesAtOnce = s.isDirect && (isStruck || s.isRigid);
-        double closely = s.standCount > 0 ? CLOSELY_STANDING : CLOSELY;
+        double closely = s.touchCount > 0 ? CLOSELY_STANDING : CLOSELY;
         for (int round = 0; round < (s.isDirect ? CLOSINGS : 1); round++) {
             double worst = gaps(round == 0);
             if (!(worst > (round == 0 ? NEARLY : closely))) {
@@ -131,7 +131,7 @@ abstract class GapClosing extends HoldingRows {
     }
 
     private double turned(SolverBodies body, int i) {
-        if (s.standCount == 0) {
+        if (s.touchCount == 0) {
             return 0;
         }
         int w = SolverBodies.offset(i) + 3;

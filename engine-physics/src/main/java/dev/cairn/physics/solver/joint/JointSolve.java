@@ -99,7 +99,7 @@ public final class JointSolve extends PositionTrial {
             return;
         }
         s.calm();
-        Arrays.fill(s.blows, 0, Assembly.POINTS * s.standCount, 0.0);
+        Arrays.fill(s.blows, 0, Assembly.POINTS * s.touchCount, 0.0);
         derive();
         double most = GAIN * kinetic();
         for (int k = 0; k < s.joint.length; k++) {
@@ -144,6 +144,7 @@ public final class JointSolve extends PositionTrial {
         s.isNet = s.mayBeNet() && nets.begin();
         s.isDirect = s.hasFactors && !s.isNet;
         s.standCount = s.isNet ? 0 : s.standCount;
+        s.touchCount = s.isNet ? 0 : s.touchCount;
         s.isFresh = false;
     }
 
@@ -274,8 +275,8 @@ public final class JointSolve extends PositionTrial {
         }
         double last = Double.POSITIVE_INFINITY;
         int flying = s.isRigid ? ROUNDS : 2 * ROUNDS;
-        int rounds = s.standCount > 0 ? STANDING : flying;
-        double almost = s.standCount > 0 ? ALMOST : NEARLY;
+        int rounds = s.touchCount > 0 ? STANDING : flying;
+        double almost = s.touchCount > 0 ? ALMOST : NEARLY;
         boolean asks = true;
         for (int round = 0; round < rounds; round++) {
             if (s.rough > 0) {

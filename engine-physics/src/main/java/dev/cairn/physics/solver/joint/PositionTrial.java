@@ -155,7 +155,7 @@ abstract class PositionTrial extends VelocityHalf {
         if (isHeld || !(kinetic() <= most + work())) {
             takeBack();
             release();
-            if (s.standCount > 0) {
+            if (s.touchCount > 0) {
                 rest();
             }
         }
