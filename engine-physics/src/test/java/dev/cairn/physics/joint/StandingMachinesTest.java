@@ -200,4 +200,40 @@ final class StandingMachinesTest {
             assertEquals(acceleration * 20 * STEP, gained, 0.03 * acceleration * 20 * STEP);
         }
     }
+
+    /**
+     * A ball of up to a hundred times its mass falls by 0.85 m on an arm that lies on the stop of
+     * its hinge. Nothing gives way, so it stays there; what the overlap of the hit is pushed out by
+     * is all that comes back.
+     */
+    @ParameterizedTest(name = "{0} times the mass, {1} sub-steps")
+    @CsvSource({"1, 4", "10, 2", "10, 4", "10, 16", "100, 4", "100, 8"})
+    void aHeavyBallStaysOnAnArmAtItsStop(double mass, int substeps) {
+        try (PhysicsWorld world =
+                PhysicsWorld.builder()
+                        .gravity(0, -G, 0)
+                        .settings(PhysicsSettings.DEFAULT.withSubsteps(substeps))
+                        .sleeping(false)
+                        .build()) {
+            BodyRef post =
+                    world.add(Body.fixed().shape(Box.ofHalfExtents(0.05, 0.05, 0.05)).at(0, 1, 0));
+            Body beam = Body.dynamic().shape(Box.ofHalfExtents(0.5, 0.05, 0.1)).mass(1);
+            BodyRef arm = world.add(beam.at(0.6, 1, 0));
+            world.add(Joint.hinge(post, arm).at(0.05, 1, 0).axis(0, 0, 1).limits(0, 1));
+            BodyRef ball = world.add(Body.dynamic().shape(Sphere.of(0.1)).mass(mass).at(0.8, 2, 0));
+            double before = world.kineticEnergy() + world.potentialEnergy();
+            for (int t = 1; t <= 150; t++) {
+                world.step(STEP);
+                double energy = world.kineticEnergy() + world.potentialEnergy();
+                double most = before + 0.02 * mass * G * 0.85;
+                assertTrue(energy <= most, "tick " + t + ": " + energy + " J after " + before);
+                double y = ball.position(new Vector3d()).y;
+                assertTrue(y > 1.1, "tick " + t + ": the ball is at " + y);
+                double up = ball.velocity(new Vector3d()).y;
+                assertTrue(up < 0.1 * Math.sqrt(2 * G * 0.85), "tick " + t + ": up at " + up);
+                before = energy;
+            }
+            assertEquals(1.15, ball.position(new Vector3d()).y, 0.2 * 0.1);
+        }
+    }
 }
