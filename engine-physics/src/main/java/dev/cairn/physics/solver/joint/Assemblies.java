@@ -159,7 +159,7 @@ public final class Assemblies implements Stateful {
             touched[free] = NONE;
         } else if (look == 1) {
             touched[free] = touched[free] == NONE || touched[free] == a ? a : SEVERAL;
-        } else if (touched[free] == a && isSolvedWith(list, m, bound)) {
+        } else if (touched[free] == a && isSolvedWith(list, m, bound) && all.get(a).isHeld()) {
             all.get(a).touch(m);
         }
     }
