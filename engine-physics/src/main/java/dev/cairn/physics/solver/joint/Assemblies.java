@@ -35,6 +35,12 @@ public final class Assemblies implements Stateful {
     /** See {@link #touch}. */
     private static final int LOOKS = 3;
 
+    /**
+     * Contacts with bodies in no assembly from which on sweeps and joints take turns: all points
+     * are coupled with all, so time and room grow with the square.
+     */
+    private static final int MOST_TOUCHES = 64;
+
     private static final int NONE = -1;
     private static final int SEVERAL = -2;
 
@@ -136,6 +142,11 @@ public final class Assemblies implements Stateful {
                 if (list.isBetweenMovers(m) && binds(list.slotA[m]) != binds(list.slotB[m])) {
                     touch(list, m, look);
                 }
+            }
+        }
+        for (int a = 0; a < all.size(); a++) {
+            if (all.get(a).touchCount - all.get(a).standCount > MOST_TOUCHES) {
+                all.get(a).touchCount = all.get(a).standCount;
             }
         }
     }
