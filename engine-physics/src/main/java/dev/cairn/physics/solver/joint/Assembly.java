@@ -29,6 +29,9 @@ public final class Assembly {
     /** Points of a contact, of which each has a number in {@link #blows}. */
     static final int POINTS = 4;
 
+    /** Contacts for which there is room at first. */
+    private static final int ROOM = 16;
+
     /** Numbers to a body of {@link #kept}: velocity, movement, mark, orientation. */
     static final int KEPT = 22;
 
@@ -173,7 +176,7 @@ public final class Assembly {
      * those with bodies that no joint holds and that touch no other assembly. How many there are of
      * the first, and of both.
      */
-    int[] stand = {};
+    int[] stand = new int[ROOM];
 
     int standCount;
     int touchCount;
@@ -181,7 +184,7 @@ public final class Assembly {
     /**
      * By point of these: impulse that {@code ContactCoupling} gave in the sub-step; whether any.
      */
-    double[] blows = {};
+    double[] blows = new double[POINTS * ROOM];
 
     boolean gives;
 

@@ -53,26 +53,29 @@ abstract class ContactCoupling extends GapClosing {
     /** Of the speed that gravity adds in a sub-step: what may be left to the next sweeps. */
     private static final double LEFT = 0.5;
 
+    /** Points for which there is room at first: most assemblies never have more. */
+    private static final int ROOM = 64;
+
     private int points;
 
     /** By point: where it is among the fields, side of the body, the body among those of s. */
-    private int[] field = new int[16];
+    private int[] field = new int[ROOM];
 
-    private int[] normal = new int[16];
-    private int[] sum = new int[16];
-    private int[] link = new int[16];
-    private int[] node = new int[16];
-    private int[] place = new int[16];
+    private int[] normal = new int[ROOM];
+    private int[] sum = new int[ROOM];
+    private int[] link = new int[ROOM];
+    private int[] node = new int[ROOM];
+    private int[] place = new int[ROOM];
 
     /** By point: where the body lies that no joint holds, negative as A; 0 for none. */
-    private int[] free = new int[16];
+    private int[] free = new int[ROOM];
 
-    private double[] miss = new double[16];
-    private double[] give = new double[16];
-    private double[] change = new double[16];
+    private double[] miss = new double[ROOM];
+    private double[] give = new double[ROOM];
+    private double[] change = new double[ROOM];
 
     /** {@code k_pq} at {@code p points + q}. */
-    private double[] coupling = new double[256];
+    private double[] coupling = new double[ROOM * ROOM];
 
     /**
      * Whether sweeps and joints have left contacts of the assembly less than solved.
