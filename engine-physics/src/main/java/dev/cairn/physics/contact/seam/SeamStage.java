@@ -130,11 +130,24 @@ public final class SeamStage implements Stateful {
             held = new int[LEAST];
             firstHeld = new int[LEAST];
         }
+        if (collider.length < LEAST) {
+            ensureGroups(LEAST);
+        }
         if (member.length < LEAST) {
             member = new int[LEAST];
         }
         next.ensure(colliders.slotCount, held.length);
         last.ensure(colliders.slotCount, held.length);
+    }
+
+    private void ensureGroups(int n) {
+        collider = new int[n];
+        firstMember = new int[n];
+        firstRow = new int[n];
+        size = new int[n];
+        firstPart = new int[n];
+        base = new int[n];
+        rows = new int[n];
     }
 
     /** Gives the rows back what was solved instead of them; after the solve. */
@@ -259,14 +272,7 @@ public final class SeamStage implements Stateful {
     /** Opens the groups, and makes room for their rows. */
     private void open(int all) {
         if (collider.length < all) {
-            int n = Math.max(LEAST, 2 * all);
-            collider = new int[n];
-            firstMember = new int[n];
-            firstRow = new int[n];
-            size = new int[n];
-            firstPart = new int[n];
-            base = new int[n];
-            rows = new int[n];
+            ensureGroups(2 * all);
         }
         members = 0;
         room = 0;

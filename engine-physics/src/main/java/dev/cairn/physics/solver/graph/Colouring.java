@@ -23,6 +23,9 @@ import java.util.Arrays;
 public final class Colouring {
     private static final int MASKED = 64;
 
+    /** Colours for which there is room at first: the first body on fixed ones may come late. */
+    private static final int ROOM = 4 * MASKED;
+
     /** Sorts of rows in a colour, see {@link #sort}. */
     private static final int SORTS = 3;
 
@@ -30,14 +33,14 @@ public final class Colouring {
     public int colours;
 
     /** By colour: its kind of constraint, and its places among the rows of that kind. */
-    public int[] kind = {};
+    public int[] kind = new int[ROOM];
 
-    public int[] start = {};
+    public int[] start = new int[ROOM];
 
-    public int[] end = {};
+    public int[] end = new int[ROOM];
 
     /** Rows of each colour, padding not counted. */
-    public int[] size = {};
+    public int[] size = new int[ROOM];
 
     /** The first colour of each batch; one more for the end of the last. */
     public int[] firstColour = new int[2];
