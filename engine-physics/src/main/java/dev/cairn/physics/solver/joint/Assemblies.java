@@ -130,10 +130,15 @@ public final class Assemblies implements Stateful {
         for (int a = 0; a < all.size(); a++) {
             all.get(a).standCount = 0;
             all.get(a).touchCount = 0;
+            all.get(a).touchesFixed = false;
         }
         for (int m = 0; m < list.contacts && !all.isEmpty(); m++) {
             int slot = list.mover(m);
-            if (!list.isBetweenMovers(m) && isSolvedWith(list, m, slot)) {
+            if (list.isBetweenMovers(m) || !binds(slot)) {
+                continue;
+            }
+            all.get(ofBody[slot]).touchesFixed = true;
+            if (isSolvedWith(list, m, slot)) {
                 all.get(ofBody[slot]).stand(m);
             }
         }

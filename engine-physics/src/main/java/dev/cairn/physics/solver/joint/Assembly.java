@@ -181,6 +181,9 @@ public final class Assembly {
     int standCount;
     int touchCount;
 
+    /** Whether a contact of it is with what does not move, in rows of whichever precision. */
+    boolean touchesFixed;
+
     /**
      * By point of these: impulse that {@code ContactCoupling} gave in the sub-step; whether any.
      */

@@ -54,18 +54,21 @@ final class InnerMotion {
         for (int i : s.body) {
             int o = SolverBodies.offset(i);
             reach(tick, s, i);
+            double[] mark = tick.body.mark;
+            int w = (i + 1) * SolverBodies.HALF;
             for (int c = 0; c < 3; c++) {
-                double u = speed[c] + cross(spin, arm, c);
-                v[o + c] += f * (v[o + c] - u);
+                double linear = f * (v[o + c] - speed[c] - cross(spin, arm, c));
+                v[o + c] += linear;
+                mark[w + c] += linear;
             }
             if (turns) {
                 invert(tick.body.root, (i + 1) * SolverBodies.ROOT);
             }
             for (int c = 0; c < 3; c++) {
-                double u = turns ? row(inverse, c, spin) : 0;
-                v[o + 3 + c] += f * (v[o + 3 + c] - u);
+                double turn = f * (v[o + 3 + c] - (turns ? row(inverse, c, spin) : 0));
+                v[o + 3 + c] += turn;
+                mark[w + 3 + c] += turn;
             }
-            System.arraycopy(v, o, tick.body.mark, (i + 1) * SolverBodies.HALF, 6);
         }
         return Math.min(excess, inner);
     }

@@ -23,7 +23,7 @@ import dev.cairn.physics.solver.body.SolverContext;
  * v' = u + f (v - u),  f² = 1 - (a' - ALLOWED k) / K(v - u)
  * </pre>
  *
- * <p>with u the motion as one rigid body of what floats and touches nothing, and 0 otherwise. Rows
+ * <p>with u the motion as one rigid body of what touches nothing that does not move, and 0 otherwise. Rows
  * see nothing of u, and of the rest they see the same as before, 0; momentum and angular momentum
  * stay.
  *
@@ -182,7 +182,7 @@ final class JointEnergy {
         s.account = Math.max(s.account + gain, -CREDIT * s.level);
         double excess = s.account - ALLOWED * s.level;
         if (excess > 0 && k > 0) {
-            boolean floats = !touches && !s.isGrounded;
+            boolean floats = !s.isGrounded && !(touches && s.touchesFixed);
             s.account -= floats ? inner.cut(tick, s, excess, k) : cut(tick, s, excess, k);
             // what has come to a stand on something owes nothing: it could never move again
             s.account = touches && excess > k ? ALLOWED * s.level : s.account;
