@@ -13,6 +13,15 @@ abstract class HoldingRows extends AssemblyEquations {
     /** Changes of who holds in one half. */
     private static final int CHANGES = 8;
 
+    /**
+     * Changes from which on a limit lets go only where the search has come as near as {@link
+     * #SURE}: the first rounds may be wrong about the sign of a small impulse, and would let it go
+     * and find it passed by turns.
+     */
+    private static final int GUESSES = 2;
+
+    private static final double SURE = 1e-6;
+
     /** Gap, m or rad, that is closed by the movement itself; larger ones are closed aside. */
     private static final double TINY = 1e-7;
 
@@ -55,11 +64,16 @@ abstract class HoldingRows extends AssemblyEquations {
         return 0.5 * Math.abs(h) * store.most[row];
     }
 
-    /** Lets rows hold, or lets them go; whether any has changed. */
-    boolean hold(int round) {
+    /**
+     * Lets rows hold, or lets them go; whether any has changed.
+     *
+     * @param last what was missing a round ago, over its size
+     */
+    boolean hold(int round, double last) {
         if (changes >= CHANGES) {
             return false;
         }
+        boolean judges = round > 0 && (changes < GUESSES || last <= SURE);
         boolean changed = false;
         for (int k = 0; k < s.joint.length; k++) {
             changed |= store.isRound[s.joint[k]] && clampLength(k);
@@ -67,7 +81,7 @@ abstract class HoldingRows extends AssemblyEquations {
                 int row = row(k, r);
                 byte role = store.role[row];
                 if (role == JointStore.LIMIT) {
-                    changed |= limit(k, r, row, round);
+                    changed |= limit(k, r, row, judges);
                 } else if (role != JointStore.LOCK && !isRound(k, row) && s.compliance[r] > 0) {
                     changed |= clamp(k, r, row);
                 }
@@ -78,8 +92,12 @@ abstract class HoldingRows extends AssemblyEquations {
         return changed;
     }
 
-    /** Whether a limit begins to hold, or lets go as it would pull. */
-    boolean limit(int k, int r, int row, int round) {
+    /**
+     * Whether a limit begins to hold, or lets go as it would pull.
+     *
+     * @param judges whether it may let go
+     */
+    boolean limit(int k, int r, int row, boolean judges) {
         if (s.compliance[r] == 0) {
             return false;
         }
@@ -96,7 +114,7 @@ abstract class HoldingRows extends AssemblyEquations {
             s.isActive[r] = true;
             return true;
         }
-        if (round == 0 || s.impulse[r] * store.held[row] <= pressure(k, row)) {
+        if (!judges || s.impulse[r] * store.held[row] <= pressure(k, row)) {
             return false;
         }
         return release(k, r, row);

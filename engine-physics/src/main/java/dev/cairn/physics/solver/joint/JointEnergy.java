@@ -23,9 +23,9 @@ import dev.cairn.physics.solver.body.SolverContext;
  * v' = u + f (v - u),  f² = 1 - (a' - ALLOWED k) / K(v - u)
  * </pre>
  *
- * <p>with u the motion as one rigid body of what touches nothing that does not move, and 0 otherwise. Rows
- * see nothing of u, and of the rest they see the same as before, 0; momentum and angular momentum
- * stay.
+ * <p>with u the motion as one rigid body of what touches nothing that does not move, and 0
+ * otherwise. Rows see nothing of u, and of the rest they see the same as before, 0; momentum and
+ * angular momentum stay.
  *
  * <p>A sub-step goes from v to v' before bodies are moved by {@code h v'}, and to v" after. An
  * impulse p of a contact has done {@code W = p.v'} of work if it came before the movement, whatever

@@ -275,7 +275,8 @@ public final class JointSolve extends PositionTrial {
         }
         double last = Double.POSITIVE_INFINITY;
         int flying = s.isRigid ? ROUNDS : 2 * ROUNDS;
-        int rounds = s.touchCount > 0 ? STANDING : flying;
+        int each = s.touchCount > 0 ? STANDING : flying;
+        int rounds = each;
         double almost = s.touchCount > 0 ? ALMOST : NEARLY;
         boolean asks = true;
         for (int round = 0; round < rounds; round++) {
@@ -289,10 +290,12 @@ public final class JointSolve extends PositionTrial {
             if (!s.isRigid) {
                 restore();
             }
-            boolean changed = !s.isRigid && asks && hold(round);
+            boolean changed = !s.isRigid && asks && hold(round, last);
             asks = s.isRigid || !changed || !isFirm();
             if (!asks) {
+                // a limit that is tried has as many rounds as the first
                 again();
+                rounds = round + 1 + each;
                 last = Double.POSITIVE_INFINITY;
                 continue;
             }

@@ -129,7 +129,7 @@ abstract class PositionTrial extends VelocityHalf {
             move();
             measure();
             restore();
-            hold(round);
+            hold(round, 0);
             residuals();
             factor(true);
             correct();
@@ -171,7 +171,7 @@ abstract class PositionTrial extends VelocityHalf {
         for (int k = 0; k < s.joint.length && !s.isRigid; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 if (store.role[row(k, r)] == JointStore.LIMIT) {
-                    limit(k, r, row(k, r), 0);
+                    limit(k, r, row(k, r), false);
                 }
             }
         }
