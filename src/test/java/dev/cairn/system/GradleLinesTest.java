@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 
 /**
  * The lines for Gradle in the quickstart ask for what the pom beside them asks for, which is built
- * and run elsewhere. Gradle itself runs in no test.
+ * and run elsewhere, in Kotlin as in Groovy. Gradle itself runs in no test.
  */
 class GradleLinesTest {
     private final String page;
@@ -81,6 +81,18 @@ class GradleLinesTest {
         assertEquals(count(gradle, '{'), count(gradle, '}'), gradle);
         assertEquals(count(gradle, '('), count(gradle, ')'), gradle);
         assertEquals(0, count(gradle, '"') % 2, gradle);
+    }
+
+    /** Word for word, where the two languages have the same words. */
+    @Test
+    void theScriptInGroovySaysTheSameAsTheOneInKotlin() {
+        String groovy =
+                gradle.replace('"', '\'')
+                        .replace("plugins { application }", "plugins { id 'application' }")
+                        .replaceAll("implementation\\((.*)\\)", "implementation $1")
+                        .replaceAll("runtimeOnly\\((.*)\\)", "runtimeOnly $1")
+                        .replaceAll("listOf\\((.*)\\)", "[$1]");
+        assertEquals(groovy, block("groovy"));
     }
 
     private static long count(String text, char letter) {
