@@ -1,5 +1,6 @@
 package dev.cairn.system;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.render.app.Offscreen;
@@ -16,26 +17,117 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Matcher;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
- * Command lines of the pages for users, run as they stand there, one after the other in an empty
- * folder. Left out are those that open a window (tests of the window do that) and what takes
- * minutes: of the animations, the accuracy cases, the laws and the pictures of the docs other tests
- * run a shorter form ({@code GalleryTest}, {@code TruthsTest}, {@code LawsTest}, {@code
- * ThumbnailsTest}); a moment is written by a key of the window ({@code MomentFileTest}).
+ * Every command of README, CONTRIBUTING and docs ({@link PageCommands}) is in one of two tables:
+ * what runs here, as it stands or in a small form by the same main class, and what runs elsewhere,
+ * with where, or why nowhere. A command in neither fails the build, and so does a row for no
+ * command.
  */
 final class CommandRunsTest {
-    private static final List<String> PAGES =
-            List.of("first-ten-minutes", "levels", "scene-files", "state");
+    private static final String SAMPLES = "(?:java -jar samples/target/samples\\.jar|samples) ?";
+    private static final String BENCHMARKS =
+            "(?:GALLIUM_NOOP=1 )?java (?:-Dcairn\\.natives\\.box3d=LIBRARY )?"
+                    + "-jar benchmarks/target/benchmarks\\.jar ?";
 
-    private static final List<String> LEFT_OUT = List.of("--window", "--from moment.cairn");
+    /**
+     * A command line of the samples by a pattern, and what runs for it; AS_IT_STANDS for itself.
+     */
+    private record Here(String arguments, String run, boolean draws) {}
 
-    /** What the pages take as given: scenes and a mesh of the reader's own. */
-    private static final List<String> BEFORE =
+    private static final String AS_IT_STANDS = "";
+
+    private static final List<Here> HERE =
             List.of(
-                    "--scene stack --export-scene my.json",
-                    "--scene stack --export-scene my-scene.json");
+                    // what the pages take as given: scenes of the reader's own, a recorded run
+                    new Here("", "--scene stack --export-scene my.json", false),
+                    new Here("", "--scene stack --export-scene my-scene.json", false),
+                    new Here("--scene \\w+ --export-scene \\S+", AS_IT_STANDS, false),
+                    new Here("--scene-file \\S+( --json - --workers 2)?", AS_IT_STANDS, false),
+                    new Here(
+                            "--scene-file my\\.json --picture my\\.png --at 90",
+                            "--scene-file my.json --picture my.png --at 9 --ticks 10",
+                            true),
+                    new Here(
+                            "--scene-file my-scene\\.json --record run\\.cairn",
+                            "--scene-file my-scene.json --record run.cairn --ticks 20",
+                            false),
+                    new Here(
+                            "--scene pyramid --ticks 600 --record run\\.cairn",
+                            "--scene pyramid --set base=4 --ticks 60 --record run.cairn",
+                            false),
+                    new Here("--replay run\\.cairn --workers 1 --lanes 4", AS_IT_STANDS, false),
+                    new Here(
+                            "--headless --scene pyramid --picture p\\.png --ticks 60",
+                            "--headless --scene pyramid --set base=4 --picture p.png --ticks 9",
+                            true),
+                    new Here(
+                            "--headless --scene \\w+ --ticks \\d+ --animation \\w+\\.png",
+                            "--headless --scene cradle --ticks 6 --animation a.png",
+                            true),
+                    new Here(
+                            "--contact-sheet \\S+ --scene \\S+",
+                            "--contact-sheet sheet.png --scene cradle --ticks 3",
+                            true),
+                    new Here(
+                            "--decompose mug\\.obj --parts 32 --error 0\\.01 --out mug\\.json"
+                                    + " --picture mug\\.png",
+                            AS_IT_STANDS,
+                            true),
+                    new Here("accuracy( --quick| [A-Z]\\d?( [A-Z]\\d?)?)?", "accuracy A1", false),
+                    new Here(
+                            "accuracy --long --write docs/accuracy\\.md",
+                            "accuracy A1 --write accuracy.md",
+                            false),
+                    new Here("fuzz --seed 7 --world 1234", AS_IT_STANDS, false),
+                    new Here("fuzz --seed 7 --worlds 10000", "fuzz --seed 7 --worlds 3", false),
+                    new Here(
+                            "fuzz(?: --worlds 300 --family HOUSE --keep 0 --seed 1)?",
+                            "fuzz --worlds 2 --family HOUSE --keep 0 --seed 1",
+                            false));
+
+    /** A command by a pattern, the test or file that runs it, and why it does not run here. */
+    private record There(String command, String by, String why) {}
+
+    private static final String NOWHERE = "";
+
+    private static final List<There> THERE =
+            List.of(
+                    new There(SAMPLES, "SpectacleTest", "opens the window"),
+                    new There(SAMPLES + "--scene ragdolls", "WholeProgramTest", "opens the window"),
+                    new There(SAMPLES + "--window .*--record .*", "RecordWindowTest", "a window"),
+                    new There(SAMPLES + "--from moment.*", "MomentFileTest", "a key writes it"),
+                    new There(SAMPLES + "gallery", "GalleryTest", "minutes; one of its takes"),
+                    new There(SAMPLES + "pictures", "ThumbnailsTest", "minutes; a scene of it"),
+                    new There(SAMPLES + "pictures --of-list", "ThumbnailsTest", "minutes"),
+                    new There(BENCHMARKS + "(-l|EcsIterate|-prof gc \\w+)?", "SmokeTest", "JMH"),
+                    new There(BENCHMARKS + "compare.*", "PeersTest", "hours; native peers"),
+                    new There(BENCHMARKS + "cost.*", "CostTest", "minutes: it measures"),
+                    new There(BENCHMARKS + "regress.*", "HeadlineTest", "minutes: it measures"),
+                    new There(BENCHMARKS + "scaling", NOWHERE, "minutes: it measures"),
+                    new There(BENCHMARKS + "render-frame", NOWHERE, "minutes: it measures"),
+                    new There(BENCHMARKS + "effect-frame.*", NOWHERE, "minutes: it measures"),
+                    new There("java -jar stress/.*", NOWHERE, "minutes; needs profile stress"),
+                    new There("bash \\.ci/run", ".ci/run", "is the build itself"),
+                    new There("bash \\.ci/regress", ".ci/regress", "measures two commits"),
+                    new There("mvn verify", ".ci/run", "is the build itself"),
+                    new There("mvn (?=.*-Dtest=).*", ".ci/run", "a part of the build itself"),
+                    new There(
+                            "mvn -pl engine-physics -am verify", ".ci/run", "a part of the build"),
+                    new There("mvn package -DskipTests", ".ci/run", "a part of the build itself"),
+                    new There("mvn verify artifact:compare", NOWHERE, "two whole builds"),
+                    new There(
+                            "mvn -P\\w+.*", "CommandsTest", "a whole build; the profile is there"),
+                    new There("mvn compile exec:exec .*", "DocsTest", "both programs run there"),
+                    new There("mvn -(version|o)", NOWHERE, "Maven's own"),
+                    new There("JAVA_HOME=.* mvn \\.\\.", NOWHERE, "Maven's own"),
+                    new There("gradle run", "GradleLinesTest", "no Gradle; its lines are compared"),
+                    new There("apt-get install .*", ".ci/run", "installs into the machine"),
+                    new There("(git|cd) .*", NOWHERE, "the reader's own machine"));
 
     private static final String MUG =
             """
@@ -67,29 +159,77 @@ final class CommandRunsTest {
         }
     }
 
+    private static boolean isThere(String command) {
+        return THERE.stream().anyMatch(row -> Pattern.matches(row.command, command));
+    }
+
+    private static boolean isFor(Here row, String command) {
+        return !isThere(command) && Pattern.matches(SAMPLES + row.arguments, command);
+    }
+
     @Test
-    void theyRunAsTheyStand(@TempDir Path folder) throws IOException, InterruptedException {
+    void everyCommandRunsHereOrSaysWhere() throws IOException {
+        Set<String> commands = PageCommands.all();
+        Set<String> unknown = new TreeSet<>();
+        for (String command : commands) {
+            if (!isThere(command) && HERE.stream().noneMatch(row -> isFor(row, command))) {
+                unknown.add(command);
+            }
+        }
+        assertEquals(Set.of(), unknown, "in neither table of this test");
+        assertTrue(commands.size() > 50, commands.toString());
+        for (Here row : HERE) {
+            assertTrue(
+                    row.arguments.isEmpty() || commands.stream().anyMatch(c -> isFor(row, c)),
+                    "no page has " + row);
+        }
+        try (Stream<Path> files = Files.walk(DocsTest.ROOT)) {
+            List<String> sources =
+                    files.map(file -> DocsTest.ROOT.relativize(file).toString()).toList();
+            for (There row : THERE) {
+                assertTrue(
+                        commands.stream().anyMatch(c -> Pattern.matches(row.command, c)),
+                        "no page has " + row);
+                assertTrue(
+                        row.by.equals(NOWHERE)
+                                || sources.contains(row.by)
+                                || sources.stream().anyMatch(f -> f.endsWith(row.by + ".java")),
+                        "there is no " + row.by);
+            }
+        }
+    }
+
+    @Test
+    void theyRun(@TempDir Path folder) throws IOException, InterruptedException {
         boolean draws = Offscreen.unavailableReason() == null;
-        List<String> lines = new ArrayList<>(BEFORE);
-        for (String page : PAGES) {
-            String text = Files.readString(DocsTest.ROOT.resolve("docs/" + page + ".md"));
-            for (Matcher m = DocsTest.COMMAND.matcher(text); m.find(); ) {
-                String line = m.group(1).replace("\\\n", " ").strip();
-                if (LEFT_OUT.stream().noneMatch(line::contains)
-                        && (draws || !line.contains("--picture"))) {
-                    lines.add(line);
+        Set<String> commands = PageCommands.all();
+        List<String> lines = new ArrayList<>();
+        for (Here row : HERE) {
+            if (row.draws && !draws) {
+                continue;
+            }
+            if (!row.run.equals(AS_IT_STANDS)) {
+                lines.add(row.run);
+                continue;
+            }
+            for (String command : commands) {
+                if (isFor(row, command)) {
+                    lines.add(command.replaceFirst(SAMPLES, ""));
                 }
             }
         }
-        assertTrue(lines.size() >= (draws ? 10 : 8), lines.toString());
         Files.writeString(folder.resolve("mug.obj"), MUG);
+        Files.writeString(folder.resolve("accuracy.md"), "<!-- accuracy -->\n");
         String said = Jvm.runInside(folder, Probe.class.getName(), lines);
         for (String line : lines) {
             assertTrue(said.contains("0 " + line + System.lineSeparator()), line + ": " + said);
         }
-        for (String file : List.of("mug.json", "room.json", "run.cairn")) {
+        for (String file : List.of("room.json", "run.cairn", "accuracy.md")) {
             assertTrue(Files.size(folder.resolve(file)) > 100, file);
         }
-        assertTrue(!draws || Files.size(folder.resolve("p.png")) > 10_000, "p.png");
+        for (String file :
+                List.of("p.png", "my.png", "mug.png", "mug.json", "a.png", "sheet.png")) {
+            assertTrue(!draws || Files.size(folder.resolve(file)) > 100, file);
+        }
     }
 }

@@ -7,7 +7,6 @@ import org.junit.jupiter.api.Test;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Matcher;
@@ -16,8 +15,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Command lines of README and docs that take too long to run here: that what they name is there.
- * Those of the samples are taken in by their own parser, see {@link DocsTest}.
+ * Command lines of README and docs that take too long to run: that what they name is there. Those
+ * of the samples are taken in by their own parser, see {@link DocsTest}; which run, and where, is
+ * in {@link CommandRunsTest}.
  */
 final class CommandsTest {
     private static final Pattern BENCHMARK =
@@ -27,20 +27,6 @@ final class CommandsTest {
     private static final Pattern MARKED = Pattern.compile("`([A-Z]\\w+(?:Test|Probe))\\b");
 
     private static final Pattern METHOD = Pattern.compile("`([A-Z]\\w+Test)\\.(\\w+)`");
-
-    /** README, CONTRIBUTING and the pages below docs, but for the records of other days. */
-    private static List<Path> pages() throws IOException {
-        List<Path> pages = new ArrayList<>();
-        pages.add(DocsTest.ROOT.resolve("README.md"));
-        pages.add(DocsTest.ROOT.resolve("CONTRIBUTING.md"));
-        try (Stream<Path> files = Files.walk(DocsTest.ROOT.resolve("docs"))) {
-            files.filter(file -> file.toString().endsWith(".md"))
-                    .filter(file -> !file.toString().contains("notebook"))
-                    .sorted()
-                    .forEach(pages::add);
-        }
-        return pages;
-    }
 
     /** Names of the Java files below a folder of each module. */
     private static Set<String> classes(String below) throws IOException {
@@ -61,7 +47,7 @@ final class CommandsTest {
                                 "benchmarks/src/main/java/dev/cairn/benchmarks/Main.java"));
         Set<String> classes = classes("benchmarks");
         int found = 0;
-        for (Path page : pages()) {
+        for (Path page : PageCommands.pages()) {
             Matcher m = BENCHMARK.matcher(Files.readString(page));
             for (; m.find(); found++) {
                 List<String> words = List.of(m.group(1).strip().split(" +", -1));
@@ -84,7 +70,7 @@ final class CommandsTest {
         Set<String> tests = classes("src/test/java");
         String parent = Files.readString(DocsTest.ROOT.resolve("pom.xml"));
         int found = 0;
-        for (Path page : pages()) {
+        for (Path page : PageCommands.pages()) {
             String text = Files.readString(page);
             Matcher m = CHOSEN.matcher(text);
             for (; m.find(); found++) {
@@ -116,7 +102,7 @@ final class CommandsTest {
     @Test
     void everyTestMethodThatAPageNamesIsThere() throws IOException {
         int found = 0;
-        for (Path page : pages()) {
+        for (Path page : PageCommands.pages()) {
             for (Matcher named = METHOD.matcher(Files.readString(page)); named.find(); found++) {
                 String method = "void " + named.group(2) + "(";
                 String test = named.group(1) + ".java";

@@ -17,6 +17,9 @@ final class Jvm {
 
     private Jvm() {}
 
+    /** A run that is over before the optimising compiler is done does without it. */
+    private static final String BRIEF = "-XX:TieredStopAtLevel=1";
+
     /** Standard output of a run of the samples that must end with exit code 0. */
     static String samples(Path directory, List<String> flags, List<String> arguments)
             throws IOException, InterruptedException {
@@ -32,7 +35,7 @@ final class Jvm {
     /** The same of one that starts in the directory, and so finds and leaves files there. */
     static String runInside(Path directory, String mainClass, List<String> arguments)
             throws IOException, InterruptedException {
-        return run(directory, directory, List.of(), mainClass, arguments);
+        return run(directory, directory, List.of(BRIEF), mainClass, arguments);
     }
 
     private static String run(
