@@ -32,6 +32,7 @@ import java.util.function.Consumer;
 public final class EditorPanels {
     private static final double GAP = Places.GAP;
     private static final double LEFT_WIDTH = Places.WIDTH;
+    private static final double MESSAGE_HEIGHT = 110;
 
     /** Height of what is shown while the scene runs, logical pixels. */
     public static final double PLAYING_HEIGHT = 150;
@@ -274,6 +275,7 @@ public final class EditorPanels {
         if (!Places.isNarrow(ui) || picks) {
             right(ui);
         }
+        message(ui);
         lines.draw(view, editor);
         chosenFile(ui, view);
         seal();
@@ -404,13 +406,26 @@ public final class EditorPanels {
         if (ui.button("Keep view")) {
             keepView(view.camera());
         }
-        if (!editor.message().isEmpty()) {
+    }
+
+    /**
+     * What the editor has to say, below the picture: among the buttons it would push them away from
+     * under the mouse.
+     */
+    private void message(Ui ui) {
+        if (editor.message().isEmpty()) {
+            return;
+        }
+        double left = LEFT_WIDTH + 2 * GAP;
+        double right = Places.isNarrow(ui) ? GAP : left;
+        double top = ui.height() - MESSAGE_HEIGHT - GAP;
+        if (ui.panel("Message", left, top, ui.width() - left - right, MESSAGE_HEIGHT)) {
             if (editor.isWrong()) {
-                ui.columns(1);
                 ui.label("That did not work:", PROBLEM);
             }
             ui.text(editor.message());
         }
+        ui.endPanel();
     }
 
     /** The name of the file without folders. */

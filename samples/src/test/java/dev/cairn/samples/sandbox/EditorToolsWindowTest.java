@@ -27,6 +27,7 @@ class EditorToolsWindowTest extends WindowFixture {
     void handlesGroupsClipboardAndFloor() throws IOException, InterruptedException {
         type("key", "F2");
         await("the editor", seen -> seen.is("mode", "REST") && seen.number("entities") == 1);
+        aMessagePushesNoButtonAway();
         click("box");
         await("a box", seen -> seen.number("entities") == 2 && seen.number("seenY") == 0.5);
         settle();
@@ -37,6 +38,17 @@ class EditorToolsWindowTest extends WindowFixture {
         aBarScalesOneAxis();
         severalThingsAreCopiedMovedAndPutDown();
         assertEquals(0, now().number("shortened"), last);
+    }
+
+    private void aMessagePushesNoButtonAway() throws IOException, InterruptedException {
+        settle();
+        Seen before = now();
+        type("key", "Delete");
+        await("that nothing is selected", seen -> seen.flag("wrong"));
+        settle();
+        look("editor-message");
+        assertEquals(before.number("boxX"), now().number("boxX"), last);
+        assertEquals(before.number("boxY"), now().number("boxY"), last);
     }
 
     /** The way a quarter of the picture's height wide is an eighth of a turn; then all way back. */
