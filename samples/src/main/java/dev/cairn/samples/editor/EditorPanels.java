@@ -283,7 +283,7 @@ public final class EditorPanels {
 
     private void left(Ui ui, View view, String notes) {
         double height = Places.height(ui);
-        double upper = Math.min(height - 150, 420);
+        double upper = Places.upperHeight(height);
         if (ui.panel("Editor", GAP, GAP, LEFT_WIDTH, upper)) {
             actions(ui, view);
             if (!notes.isEmpty()) {
@@ -416,10 +416,10 @@ public final class EditorPanels {
         if (editor.message().isEmpty()) {
             return;
         }
-        double left = LEFT_WIDTH + 2 * GAP;
-        double right = Places.isNarrow(ui) ? GAP : left;
+        double left = Places.belowLeft(ui.width());
+        double width = Places.belowWidth(ui.width());
         double top = ui.height() - MESSAGE_HEIGHT - GAP;
-        if (ui.panel("Message", left, top, ui.width() - left - right, MESSAGE_HEIGHT)) {
+        if (ui.panel("Message", left, top, width, MESSAGE_HEIGHT)) {
             if (editor.isWrong()) {
                 ui.label("That did not work:", PROBLEM);
             }

@@ -16,6 +16,15 @@ public final class Places {
     /** What is left for the picture between two columns, at least. */
     private static final double PICTURE = 220;
 
+    /** Width of a panel below the picture, at least. */
+    private static final double LEAST_BELOW = 120;
+
+    /** Height of the panel that lists what there is, at least. */
+    private static final double LIST_HEIGHT = 150;
+
+    private static final double MOST_UPPER = 420;
+    private static final double UPPER_SHARE = 0.6;
+
     private Places() {}
 
     /**
@@ -25,7 +34,55 @@ public final class Places {
      * @return true if panels have to take turns
      */
     public static boolean isNarrow(Ui ui) {
-        return ui.width() < 2 * WIDTH + 2 * GAP + PICTURE;
+        return isNarrow(ui.width());
+    }
+
+    private static boolean isNarrow(double width) {
+        return width < 2 * WIDTH + 2 * GAP + PICTURE;
+    }
+
+    /**
+     * Whether there is room for a panel below the picture, beside the columns.
+     *
+     * @param width of the window
+     * @return false if it would cover a column or leave the window
+     */
+    public static boolean hasBelow(double width) {
+        return beside(width) >= LEAST_BELOW;
+    }
+
+    private static double beside(double width) {
+        return width - (WIDTH + 2 * GAP) - (isNarrow(width) ? GAP : WIDTH + 2 * GAP);
+    }
+
+    /**
+     * Left edge of a panel below the picture; over the column where there is no room beside it.
+     *
+     * @param width of the window
+     * @return its place
+     */
+    public static double belowLeft(double width) {
+        return hasBelow(width) ? WIDTH + 2 * GAP : GAP;
+    }
+
+    /**
+     * Width of that panel.
+     *
+     * @param width of the window
+     * @return what is left of it
+     */
+    public static double belowWidth(double width) {
+        return hasBelow(width) ? beside(width) : width - 2 * GAP;
+    }
+
+    /**
+     * Height of the upper one of two panels in a column; the lower one has the rest less a gap.
+     *
+     * @param height of the column
+     * @return more than half of a low column, and room for a list below it in a high one
+     */
+    public static double upperHeight(double height) {
+        return Math.min(Math.max(height - LIST_HEIGHT, UPPER_SHARE * height), MOST_UPPER);
     }
 
     /**

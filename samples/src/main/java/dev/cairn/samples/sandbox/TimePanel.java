@@ -17,7 +17,6 @@ final class TimePanel {
     private static final double LEAST_FOR_THREE = 300;
 
     private static final double ROW = 29;
-    private static final double SIDE = 310;
     private static final double HEIGHT = 108;
     private static final double KEPT_HEIGHT = 172;
 
@@ -43,12 +42,13 @@ final class TimePanel {
     }
 
     void draw(Ui ui, SandboxState state) {
-        boolean narrow = Places.isNarrow(ui);
-        double room = ui.width() - (narrow ? SIDE + GAP : 2 * SIDE);
-        double width = Math.clamp(room, 120, 720);
+        if (!Places.hasBelow(ui.width())) {
+            return;
+        }
+        double width = Math.min(Places.belowWidth(ui.width()), 720);
         columns = width < LEAST_FOR_THREE ? 2 : 3;
         double height = (state.keptTick < 0 ? HEIGHT : KEPT_HEIGHT) + (3 - columns) * ROW;
-        double left = narrow ? SIDE : (ui.width() - width) / 2;
+        double left = Places.isNarrow(ui) ? Places.belowLeft(ui.width()) : (ui.width() - width) / 2;
         if (ui.panel("Time", left, ui.height() - height - GAP, width, height)) {
             bar(ui);
             buttons(ui, state);
