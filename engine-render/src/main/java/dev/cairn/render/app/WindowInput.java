@@ -313,15 +313,24 @@ final class WindowInput {
     }
 
     /**
-     * Keys that are no text: Escape and Enter end it, and chords that a field does not know act.
+     * Keys that are no text: Escape and Enter end it, chords that a field does not know act, and
+     * F1, F2, .. do both.
      */
     private void whileEditing(Key key, boolean control, NuklearUi panels) {
         if (key == Key.ESCAPE || key == Key.ENTER || key == Key.KEYPAD_ENTER) {
             panels.endEditing();
+        } else if (isFunction(key)) {
+            panels.endEditing();
+            held.add(key);
+            post(() -> bindings.press(key));
         } else if (control && !OF_FIELDS.contains(key)) {
             Chord chord = new Chord(key);
             post(() -> bindings.press(chord));
         }
+    }
+
+    private static boolean isFunction(Key key) {
+        return key.compareTo(Key.F1) >= 0 && key.compareTo(Key.F25) <= 0;
     }
 
     /** Whether somebody waits for this key, and has it now. Ctrl counts when it goes up alone. */

@@ -32,12 +32,30 @@ class EditorToolsWindowTest extends WindowFixture {
         await("a box", seen -> seen.number("entities") == 2 && seen.number("seenY") == 0.5);
         settle();
         look("editor-move");
+        aFunctionKeyActsFromWithinAField();
         theMiddleButtonTakesTheCameraAroundTheSelection();
         anArrowMovesAlongItsAxisAlone();
         aCircleTurnsInSteps();
         aBarScalesOneAxis();
         severalThingsAreCopiedMovedAndPutDown();
         assertEquals(0, now().number("shortened"), last);
+    }
+
+    /** Who has typed a name plays the scene without a click beside the field; the name is kept. */
+    private void aFunctionKeyActsFromWithinAField() throws IOException, InterruptedException {
+        click("name");
+        settle();
+        type("type", "x");
+        settle();
+        double length = now().number("nameLength");
+        assertEquals("box".length() + 1, length, last);
+        type("key", "F5");
+        await("the scene to run", seen -> seen.is("mode", "PLAYING"));
+        settle();
+        type("key", "F5");
+        await("the scene to rest", seen -> seen.is("mode", "REST"));
+        settle();
+        assertEquals(length, now().number("nameLength"), last);
     }
 
     private void aMessagePushesNoButtonAway() throws IOException, InterruptedException {
