@@ -23,10 +23,10 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Every command of README, CONTRIBUTING and docs ({@link PageCommands}) is in one of two tables:
- * what runs here, as it stands or in a small form by the same main class, and what runs elsewhere,
- * with where, or why nowhere. A command in neither fails the build, and so does a row for no
- * command.
+ * Every command of README, CONTRIBUTING and docs ({@link CommandsTest.PageCommands}) is in one of
+ * two tables: what runs here, as it stands or in a small form by the same main class, and what runs
+ * elsewhere, with where, or why nowhere. A command in neither fails the build, and so does a row
+ * for no command.
  */
 final class CommandRunsTest {
     private static final String SAMPLES = "(?:java -jar samples/target/samples\\.jar|samples) ?";
@@ -169,7 +169,7 @@ final class CommandRunsTest {
 
     @Test
     void everyCommandRunsHereOrSaysWhere() throws IOException {
-        Set<String> commands = PageCommands.all();
+        Set<String> commands = CommandsTest.PageCommands.all();
         Set<String> unknown = new TreeSet<>();
         for (String command : commands) {
             if (!isThere(command) && HERE.stream().noneMatch(row -> isFor(row, command))) {
@@ -202,7 +202,7 @@ final class CommandRunsTest {
     @Test
     void theyRun(@TempDir Path folder) throws IOException, InterruptedException {
         boolean draws = Offscreen.unavailableReason() == null;
-        Set<String> commands = PageCommands.all();
+        Set<String> commands = CommandsTest.PageCommands.all();
         List<String> lines = new ArrayList<>();
         for (Here row : HERE) {
             if (row.draws && !draws) {
