@@ -275,8 +275,7 @@ public final class JointSolve extends PositionTrial {
         }
         double last = Double.POSITIVE_INFINITY;
         int flying = s.isRigid ? ROUNDS : 2 * ROUNDS;
-        int each = s.touchCount > 0 ? STANDING : flying;
-        int rounds = each;
+        int rounds = s.touchCount > 0 ? STANDING : flying;
         double almost = s.touchCount > 0 ? ALMOST : NEARLY;
         boolean asks = true;
         for (int round = 0; round < rounds; round++) {
@@ -293,9 +292,7 @@ public final class JointSolve extends PositionTrial {
             boolean changed = !s.isRigid && asks && hold(round, last);
             asks = s.isRigid || !changed || !isFirm();
             if (!asks) {
-                // a limit that is tried has as many rounds as the first
                 again();
-                rounds = round + 1 + each;
                 last = Double.POSITIVE_INFINITY;
                 continue;
             }
