@@ -8,21 +8,23 @@ import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
 
 /**
- * Prints, for every scene, the bytes that the second half of its ticks allocated; one line each.
+ * Prints, for every scene, the bytes that the second half of its ticks allocated; one line each. A
+ * scene ends early, with 0, when enough ticks in a row allocated nothing.
  */
 final class AllocationProbe {
     private AllocationProbe() {}
 
-    /** Arguments: ticks, workers. */
+    /** Arguments: ticks, ticks in a row that are enough, workers. */
     public static void main(String[] arguments) {
         int ticks = Integer.parseInt(arguments[0]);
-        int workers = Integer.parseInt(arguments[1]);
+        int enough = Integer.parseInt(arguments[1]);
+        int workers = Integer.parseInt(arguments[2]);
         for (SampleScene scene : SceneRegistry.all()) {
-            System.out.println(scene.id() + " " + bytes(scene, ticks, workers));
+            System.out.println(scene.id() + " " + bytes(scene, ticks, enough, workers));
         }
     }
 
-    private static long bytes(SampleScene scene, int ticks, int workers) {
+    private static long bytes(SampleScene scene, int ticks, int enough, int workers) {
         AllocationMeter meter = new AllocationMeter();
         SceneOptions options = SceneOptions.defaults(scene);
         try (PhysicsWorld world =
@@ -35,11 +37,14 @@ final class AllocationProbe {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
             meter.attach();
             long sum = 0;
-            for (int tick = 1; tick <= ticks; tick++) {
+            int last = 0;
+            for (int tick = 1; tick <= ticks && tick - last <= enough; tick++) {
                 built.beforeTick();
                 long before = meter.bytes();
                 world.step(SampleScene.STEP_SECONDS);
-                sum += 2 * tick > ticks ? meter.bytes() - before : 0;
+                long bytes = meter.bytes() - before;
+                last = bytes > 0 ? tick : last;
+                sum += 2 * tick > ticks ? bytes : 0;
                 built.afterTick();
             }
             return sum;

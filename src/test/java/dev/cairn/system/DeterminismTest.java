@@ -12,7 +12,6 @@ import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
-import dev.cairn.samples.SceneReport;
 import dev.cairn.samples.SceneRun;
 
 import org.junit.jupiter.api.Tag;
@@ -44,12 +43,19 @@ final class DeterminismTest {
     @ParameterizedTest
     @MethodSource("scenes")
     void anyNumberOfWorkersGivesTheSameBits(String id) {
-        String alone = Scenes.run(id, SECONDS, 1, Map.of()).digest();
+        String alone = digest(id, 1);
 
         // which number is the scene's: together they are all of 2 to 4
         int workers = 2 + Math.floorMod(id.hashCode(), MAX_WORKERS - 1);
-        SceneReport report = Scenes.run(id, SECONDS, workers, Map.of());
-        assertEquals(alone, report.digest(), () -> report.workers() + " workers");
+        assertEquals(alone, digest(id, workers), () -> workers + " workers");
+    }
+
+    private static String digest(String id, int workers) {
+        SampleScene scene = SceneRegistry.get(id);
+        SceneOptions options = SceneOptions.defaults(scene);
+        int ticks = Scenes.ticks(SECONDS);
+        return Scenes.digest(
+                scene, options, new SceneRun(scene, options, ticks, workers, 4), ticks);
     }
 
     @Test
@@ -111,9 +117,9 @@ final class DeterminismTest {
                         "--scene",
                         "pyramid",
                         "--set",
-                        "base=16",
+                        "base=8",
                         "--ticks",
-                        "60",
+                        "30",
                         "--lanes",
                         "8",
                         "--json",
@@ -146,11 +152,10 @@ final class DeterminismTest {
         for (int lanes : new int[] {1, 4, 8, 16}) {
             int most = lanes == 16 ? 1 : MAX_WORKERS;
             for (int workers = 1; workers <= most; workers += MAX_WORKERS - 1) {
-                SceneReport report =
-                        new SceneRun(scene, options, 40, workers, 4).lanes(lanes).run(() -> {});
-                alone = alone == null ? report.digest() : alone;
-                String what = lanes + " lanes, " + workers + " workers";
-                assertEquals(alone, report.digest(), what);
+                SceneRun run = new SceneRun(scene, options, 40, workers, 4).lanes(lanes);
+                String digest = Scenes.digest(scene, options, run, 40);
+                alone = alone == null ? digest : alone;
+                assertEquals(alone, digest, lanes + " lanes, " + workers + " workers");
             }
         }
     }
@@ -168,13 +173,13 @@ final class DeterminismTest {
         for (int[] each : new int[][] {{1, 1}, {4, 2}, {8, 3}}) {
             int lanes = each[0];
             int workers = each[1];
-            SceneReport report =
+            SceneRun run =
                     new SceneRun(scene, options, ticks, workers, 4)
                             .lanes(lanes)
-                            .precision(Precision.SINGLE)
-                            .run(() -> {});
-            alone = alone == null ? report.digest() : alone;
-            assertEquals(alone, report.digest(), lanes + " lanes, " + workers + " workers");
+                            .precision(Precision.SINGLE);
+            String digest = Scenes.digest(scene, options, run, ticks);
+            alone = alone == null ? digest : alone;
+            assertEquals(alone, digest, lanes + " lanes, " + workers + " workers");
         }
     }
 

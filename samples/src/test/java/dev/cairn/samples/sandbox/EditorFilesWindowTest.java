@@ -38,6 +38,11 @@ class EditorFilesWindowTest extends WindowFixture {
             """;
 
     @Override
+    public boolean pixels() {
+        return false;
+    }
+
+    @Override
     public Class<?> program() {
         return EditorProbe.class;
     }

@@ -13,6 +13,11 @@ import java.io.IOException;
 /** Handles, several things at once, the clipboard and the floor, in the real window. */
 class EditorToolsWindowTest extends WindowFixture {
     @Override
+    public boolean pixels() {
+        return false;
+    }
+
+    @Override
     public Class<?> program() {
         return EditorProbe.class;
     }

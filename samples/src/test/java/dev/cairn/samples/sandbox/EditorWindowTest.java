@@ -18,6 +18,11 @@ import java.io.IOException;
 /** The editor from end to end, by {@link EditorProbe}. */
 class EditorWindowTest extends WindowFixture {
     @Override
+    public boolean pixels() {
+        return false;
+    }
+
+    @Override
     public Class<?> program() {
         return EditorProbe.class;
     }

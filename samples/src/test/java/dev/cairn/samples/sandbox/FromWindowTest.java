@@ -30,6 +30,11 @@ class FromWindowTest extends WindowFixture {
     private final List<String> digests = new ArrayList<>();
 
     @Override
+    public boolean pixels() {
+        return false;
+    }
+
+    @Override
     public Class<?> program() {
         return SandboxProbe.class;
     }

@@ -10,12 +10,14 @@ import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.SceneRegistry;
 import dev.cairn.samples.window.WindowFixture;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.locks.LockSupport;
@@ -27,6 +29,7 @@ import java.util.concurrent.locks.LockSupport;
  * With {@code -Dpanels.rasteriser=true} a driver that draws. Prints it; a time is no truth to
  * assert.
  */
+@Tag("soak")
 class PanelCostTest extends WindowFixture {
     private static final int ROUNDS = 5;
 
@@ -118,6 +121,11 @@ class PanelCostTest extends WindowFixture {
     @Override
     public Map<String, String> environment() {
         return rasterises() ? Map.of() : Map.of("GALLIUM_NOOP", "1");
+    }
+
+    @Override
+    public List<String> flags() {
+        return List.of();
     }
 
     /** After the JIT's first seconds. */

@@ -15,6 +15,11 @@ import java.nio.file.Path;
 /** A run of a scene in the editor, as {@code samples --window --record} writes it. */
 class RecordEditorTest extends WindowFixture {
     @Override
+    public boolean pixels() {
+        return false;
+    }
+
+    @Override
     public Class<?> program() {
         return DrivenProbe.class;
     }

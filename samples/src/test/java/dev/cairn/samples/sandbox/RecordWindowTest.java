@@ -14,6 +14,11 @@ import java.nio.file.Path;
 /** A whole run in the real window, as {@code samples --window --record} writes it. */
 class RecordWindowTest extends WindowFixture {
     @Override
+    public boolean pixels() {
+        return false;
+    }
+
+    @Override
     public Class<?> program() {
         return SandboxProbe.class;
     }

@@ -14,6 +14,11 @@ import java.io.IOException;
 /** The sandbox from end to end, by {@link SandboxProbe}. */
 class SandboxWindowTest extends WindowFixture {
     @Override
+    public boolean pixels() {
+        return false;
+    }
+
+    @Override
     public Class<?> program() {
         return SandboxProbe.class;
     }

@@ -63,8 +63,23 @@ public abstract class WindowFixture {
         return Map.of();
     }
 
+    /**
+     * Whether pixels matter. If not, the driver checks what it is told and draws nothing, in half
+     * the time.
+     */
+    public boolean pixels() {
+        return true;
+    }
+
     /** When the window is ready for the test. */
     public abstract boolean ready(Seen seen);
+
+    /**
+     * What its JVM is given: a window of a test is closed before the optimising compiler is done.
+     */
+    public List<String> flags() {
+        return List.of("-XX:TieredStopAtLevel=1");
+    }
 
     /** What the program is given on its command line. */
     public List<String> arguments() {
@@ -145,6 +160,7 @@ public abstract class WindowFixture {
                         "-cp",
                         wholeClassPath(),
                         program().getName());
+        builder.command().addAll(1, flags());
         builder.command().addAll(arguments());
         builder.directory(folder.toFile());
         builder.environment().put("DISPLAY", display);
@@ -153,6 +169,9 @@ public abstract class WindowFixture {
         // No desktop: a file dialog of whoever runs the tests would wait for its user.
         builder.environment().remove("DBUS_SESSION_BUS_ADDRESS");
         builder.environment().put("XDG_RUNTIME_DIR", folder.toString());
+        if (!pixels() && System.getProperty("window.pictures") == null) {
+            builder.environment().put("GALLIUM_NOOP", "1");
+        }
         builder.environment().putAll(environment());
         sandbox = builder.redirectError(folder.resolve("sandbox.txt").toFile()).start();
         BufferedReader reader =
