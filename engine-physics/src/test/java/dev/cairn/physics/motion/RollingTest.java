@@ -403,21 +403,24 @@ class RollingTest {
     void aHeapHasTheSameBitsForAnyLanesAndWorkers() {
         for (Precision precision : new Precision[] {Precision.DOUBLE, Precision.SINGLE}) {
             long[] reference = null;
-            for (int[] each : new int[][] {{1, 1}, {4, 3}, {8, 1}}) {
-                int lanes = each[0];
-                int workers = each[1];
-                try (PhysicsWorld world = world(lanes, workers, precision)) {
-                    heap(world, 0.01);
-                    long[] digests = new long[90];
-                    for (int tick = 0; tick < digests.length; tick++) {
-                        world.step(TICK);
-                        digests[tick] = world.digest();
+            for (int lanes : new int[] {1, 4, 8}) {
+                for (int workers : new int[] {1, 3}) {
+                    if (lanes == 4 && workers == 1) {
+                        continue;
                     }
-                    if (reference == null) {
-                        reference = digests;
+                    try (PhysicsWorld world = world(lanes, workers, precision)) {
+                        heap(world, 0.01);
+                        long[] digests = new long[90];
+                        for (int tick = 0; tick < digests.length; tick++) {
+                            world.step(TICK);
+                            digests[tick] = world.digest();
+                        }
+                        if (reference == null) {
+                            reference = digests;
+                        }
+                        assertArrayEquals(
+                                reference, digests, lanes + " lanes, " + workers + " workers");
                     }
-                    assertArrayEquals(
-                            reference, digests, lanes + " lanes, " + workers + " workers");
                 }
             }
         }
