@@ -420,11 +420,12 @@ public final class Editor {
             return null;
         }
         SceneFile before = scene();
+        history().choose(selection.all());
         String label = step.get();
         if (label != null) {
             joints.cancel();
             joints.travelled(before.joints());
-            selection.travelled(before.entities(), scene().entities());
+            selection.travelled(before.entities(), scene().entities(), history().chosen());
             if (joints.selected() != NOTHING) {
                 selection.only();
             }
@@ -439,6 +440,7 @@ public final class Editor {
             return false;
         }
         try {
+            history().choose(selection.all());
             if (!document.history().edit(label, change.apply(scene()), joins)) {
                 return false;
             }

@@ -5,6 +5,8 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 
 /**
  * Which entities are selected: places in the scene's list, in the order in which they were chosen;
@@ -12,6 +14,9 @@ import java.util.Set;
  */
 final class Selection {
     private int[] chosen = {};
+
+    /** What was selected after the last step through the history. */
+    private int[] left = chosen;
 
     /** The one chosen last, or {@link Editor#NOTHING}. */
     int primary() {
@@ -47,12 +52,32 @@ final class Selection {
     }
 
     /**
-     * Follows what was selected through a step of the history.
+     * Follows what was selected through a step of the history. Where the step takes all of it away,
+     * or brings back what was selected then and nothing else is chosen, it is what was selected
+     * then: undoing a copy selects the original, doing it again the copy.
      *
      * @param before the entities before the step
      * @param after the same after it
+     * @param then what was selected when the scene was as it is after it
      */
-    <T> void travelled(List<T> before, List<T> after) {
+    <T> void travelled(List<T> before, List<T> after, int[] then) {
+        boolean free = chosen.length == 0 || Arrays.equals(chosen, left);
+        boolean adds =
+                after.size() > before.size() && Arrays.stream(then).anyMatch(isNew(before, after));
+        int[] followed = followed(before, after);
+        boolean isGone = chosen.length > 0 && followed.length == 0;
+        chosen = isGone || (free && adds) ? then : followed;
+        left = chosen;
+    }
+
+    /** Places of entities that a step has brought. */
+    private static <T> IntPredicate isNew(List<T> before, List<T> after) {
+        Set<T> known = Collections.newSetFromMap(new IdentityHashMap<>());
+        known.addAll(before);
+        return place -> !known.contains(after.get(place));
+    }
+
+    private <T> int[] followed(List<T> before, List<T> after) {
         int primary = after(before, primary(), after);
         int[] others =
                 Arrays.stream(chosen)
@@ -65,7 +90,7 @@ final class Selection {
             others = Arrays.copyOf(others, others.length + 1);
             others[others.length - 1] = primary;
         }
-        chosen = others;
+        return others;
     }
 
     /** The same object's place after a step; its old place if the step changed it there. */
@@ -94,17 +119,7 @@ final class Selection {
         if (kept != Editor.NOTHING) {
             return kept;
         }
-        Set<T> known = Collections.newSetFromMap(new IdentityHashMap<>());
-        known.addAll(before);
-        int back = Editor.NOTHING;
-        for (int i = 0; i < after.size(); i++) {
-            if (!known.contains(after.get(i))) {
-                if (back != Editor.NOTHING) {
-                    return Editor.NOTHING; // several came back: a new scene
-                }
-                back = i;
-            }
-        }
-        return back;
+        int[] back = IntStream.range(0, after.size()).filter(isNew(before, after)).toArray();
+        return back.length == 1 ? back[0] : Editor.NOTHING; // several: a new scene
     }
 }

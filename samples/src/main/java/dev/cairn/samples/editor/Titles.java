@@ -33,11 +33,13 @@ final class Titles {
     }
 
     static String title(int index, EntitySpec entity) {
+        String shape = entity.shape().type();
+        boolean says = !entity.name().isEmpty() && !entity.name().equals(shape);
         return "%d  %s%s%s"
                 .formatted(
                         index,
-                        entity.name().isEmpty() ? "" : entity.name() + ", ",
-                        entity.shape().type(),
+                        says ? entity.name() + ", " : "",
+                        shape,
                         switch (entity.body()) {
                             case DYNAMIC -> "";
                             case FIXED -> ", fixed";

@@ -1,5 +1,6 @@
 package dev.cairn.samples.editor;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -96,6 +97,44 @@ class EditorTest {
         editor.redo();
         assertEquals("crate", editor.scene().entities().get(1).name());
         assertSame(editor.scene(), shown);
+    }
+
+    @Test
+    void undoingACopySelectsTheOriginalAndDoingItAgainTheCopy() {
+        editor.place(box("crate"));
+        editor.group().duplicate();
+        editor.undo();
+        assertArrayEquals(new int[] {1}, editor.selection());
+        editor.redo();
+        assertArrayEquals(new int[] {2}, editor.selection());
+        // Two at once, and both come back after they were deleted.
+        editor.select(1);
+        editor.toggle(2);
+        editor.group().duplicate();
+        assertArrayEquals(new int[] {3, 4}, editor.selection());
+        editor.undo();
+        assertArrayEquals(new int[] {1, 2}, editor.selection());
+        editor.redo();
+        assertArrayEquals(new int[] {3, 4}, editor.selection());
+        editor.delete();
+        assertArrayEquals(new int[] {}, editor.selection());
+        editor.undo();
+        assertArrayEquals(new int[] {3, 4}, editor.selection());
+        editor.undo();
+        // What was chosen since is kept.
+        editor.select(2);
+        editor.redo();
+        assertArrayEquals(new int[] {2}, editor.selection());
+        editor.undo();
+        assertArrayEquals(new int[] {2}, editor.selection());
+    }
+
+    /** An entity is called by its shape alone, unless its name says more. */
+    @Test
+    void theListSaysNoNameTwice() {
+        assertEquals("1  box", Titles.title(1, box("box")));
+        assertEquals("1  box", Titles.title(1, box("")));
+        assertEquals("1  crate, box", Titles.title(1, box("crate")));
     }
 
     /** Unit boxes with 0.1 m between: 1.1 m apart, then the next multiple of 0.25 m. */

@@ -28,11 +28,12 @@ public final class SceneHistory {
     private final Deque<Step> undo = new ArrayDeque<>();
     private final Deque<Step> redo = new ArrayDeque<>();
     private SceneFile current;
+    private int[] chosen = {};
     private long entities;
     private boolean open;
 
-    /** What was done, and the scene on its other side. */
-    private record Step(String label, SceneFile scene) {
+    /** What was done, and the scene on its other side, with what was selected there. */
+    private record Step(String label, SceneFile scene, int[] chosen) {
         int entities() {
             return scene.entities().size();
         }
@@ -76,6 +77,26 @@ public final class SceneHistory {
     }
 
     /**
+     * Keeps what is selected in the present scene, for when a step leads back to it. An edit
+     * forgets it.
+     *
+     * @param places in the list of entities; kept, not to be changed afterwards
+     */
+    public void choose(int... places) {
+        chosen = places;
+    }
+
+    /**
+     * What was selected in the present scene.
+     *
+     * @return what {@link #choose} was given when this scene was left last; else nothing; not to be
+     *     changed
+     */
+    public int[] chosen() {
+        return chosen;
+    }
+
+    /**
      * Takes an edited scene. What was undone can no longer be redone.
      *
      * @param label what was done, a few words
@@ -91,12 +112,13 @@ public final class SceneHistory {
         Step last = undo.peekLast();
         boolean goesOn = joins && open && last != null && last.label().equals(label);
         if (!goesOn) {
-            push(undo, new Step(label, current));
+            push(undo, new Step(label, current, chosen));
         }
         forgetRedo();
         trim();
         open = joins;
         current = next;
+        chosen = new int[0];
         return true;
     }
 
@@ -129,8 +151,9 @@ public final class SceneHistory {
             return null;
         }
         entities -= step.entities();
-        push(to, new Step(step.label(), current));
+        push(to, new Step(step.label(), current, chosen));
         current = step.scene();
+        chosen = step.chosen();
         open = false;
         return step.label();
     }
