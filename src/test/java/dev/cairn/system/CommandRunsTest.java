@@ -95,6 +95,9 @@ final class CommandRunsTest {
 
     private static final String NOWHERE = "";
 
+    /** Small forms, where the classes of the benchmarks are. */
+    private static final String SMALL = "BenchmarkCommandsTest";
+
     private static final List<There> THERE =
             List.of(
                     new There(SAMPLES, "SpectacleTest", "opens the window"),
@@ -105,12 +108,12 @@ final class CommandRunsTest {
                     new There(SAMPLES + "pictures", "ThumbnailsTest", "minutes; a scene of it"),
                     new There(SAMPLES + "pictures --of-list", "ThumbnailsTest", "minutes"),
                     new There(BENCHMARKS + "(-l|EcsIterate|-prof gc \\w+)?", "SmokeTest", "JMH"),
-                    new There(BENCHMARKS + "compare.*", "PeersTest", "hours; native peers"),
-                    new There(BENCHMARKS + "cost.*", "CostTest", "minutes: it measures"),
-                    new There(BENCHMARKS + "regress.*", "HeadlineTest", "minutes: it measures"),
-                    new There(BENCHMARKS + "scaling", NOWHERE, "minutes: it measures"),
-                    new There(BENCHMARKS + "render-frame", NOWHERE, "minutes: it measures"),
-                    new There(BENCHMARKS + "effect-frame.*", NOWHERE, "minutes: it measures"),
+                    new There(BENCHMARKS + "compare.*", SMALL, "hours; two seconds of it"),
+                    new There(BENCHMARKS + "cost.*", SMALL, "minutes; 13 s of it, soak"),
+                    new There(BENCHMARKS + "regress.*", SMALL, "minutes; 44 s of it, soak"),
+                    new There(BENCHMARKS + "scaling", SMALL, "minutes; a scene, 3 ticks"),
+                    new There(BENCHMARKS + "render-frame", SMALL, "minutes; ten bodies"),
+                    new There(BENCHMARKS + "effect-frame.*", SMALL, "minutes; two bodies"),
                     new There("java -jar stress/.*", NOWHERE, "minutes; needs profile stress"),
                     new There("bash \\.ci/run", ".ci/run", "is the build itself"),
                     new There("bash \\.ci/regress", ".ci/regress", "measures two commits"),

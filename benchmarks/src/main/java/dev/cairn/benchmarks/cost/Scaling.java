@@ -7,17 +7,47 @@ import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
 
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.stream.IntStream;
 
 /**
  * Wall time of a tick of large scenes with more and more workers, once all is compiled; the world
  * after it has the same bits for all.
  */
-public final class Scaling {
-    private static final int TICKS = 100;
+@Command(
+        name = "scaling",
+        mixinStandardHelpOptions = true,
+        description = "Wall time of a tick of large scenes by the number of workers.")
+public final class Scaling implements Callable<Integer> {
+    @Parameters(
+            paramLabel = "WORKERS",
+            description =
+                    "numbers of workers, the first of them what the others are compared with; 1, 2"
+                            + " and so on, doubled up to the processors that there are, by default")
+    private List<Integer> workers = List.of();
+
+    @Option(
+            names = "--scenes",
+            split = ",",
+            paramLabel = "ID",
+            description = "which of the scenes; all by default")
+    private List<String> scenes = List.of();
+
+    @Option(
+            names = "--ticks",
+            paramLabel = "N",
+            defaultValue = "100",
+            description = "ticks that are timed, after as many before, default: ${DEFAULT-VALUE}")
+    private int ticks = 100;
 
     private record Row(String scene, Map<String, String> settings) {}
 
@@ -37,26 +67,39 @@ public final class Scaling {
     private Scaling() {}
 
     /**
-     * Measures and prints a line for each scene and number of workers.
+     * Runs the command and ends the JVM with its status.
      *
-     * @param args numbers of workers, the first of them what the others are compared with; 1, 2 and
-     *     so on, doubled up to the processors that there are, if there is none
+     * @param args its options; {@code --help} lists them
      */
     public static void main(String[] args) {
-        int[] workers = args.length == 0 ? doubled() : workers(args);
+        System.exit(new CommandLine(new Scaling()).execute(args));
+    }
+
+    @Override
+    public Integer call() {
+        List<Row> rows =
+                ROWS.stream().filter(r -> scenes.isEmpty() || scenes.contains(r.scene)).toList();
+        if (ticks < 1 || rows.isEmpty() || workers.stream().anyMatch(w -> w < 1)) {
+            System.err.printf(
+                    "--ticks %d, --scenes %s, workers %s: want at least 1 tick, 1 worker, and"
+                            + " scenes of %s%n",
+                    ticks, scenes, workers, ROWS.stream().map(Row::scene).toList());
+            return CommandLine.ExitCode.USAGE;
+        }
+        List<Integer> counts = workers.isEmpty() ? doubled() : workers;
         System.out.printf(
                 Locale.ROOT,
                 "%d processors; quartiles of %d ticks after %d, sleeping off%n",
                 Runtime.getRuntime().availableProcessors(),
-                TICKS,
-                TICKS);
+                ticks,
+                ticks);
         PhysicsWorld.builder().warmUp(share -> {});
         System.out.println("scene           contacts  workers   lower  median   upper ms   times");
-        for (Row row : ROWS) {
-            measure(row, workers[0]);
+        for (Row row : rows) {
+            measure(row, counts.get(0), ticks);
             Times first = null;
-            for (int w : workers) {
-                Times t = measure(row, w);
+            for (int w : counts) {
+                Times t = measure(row, w, ticks);
                 first = first == null ? t : first;
                 System.out.printf(
                         Locale.ROOT,
@@ -71,30 +114,15 @@ public final class Scaling {
                         t.digest == first.digest ? "" : "  OTHER BITS");
             }
         }
+        return CommandLine.ExitCode.OK;
     }
 
-    private static int[] workers(String[] args) {
-        int[] workers = new int[args.length];
-        for (int i = 0; i < args.length; i++) {
-            try {
-                workers[i] = Integer.parseInt(args[i]);
-            } catch (NumberFormatException e) {
-                throw new IllegalArgumentException(
-                        "number of workers is '" + args[i] + "'; give whole numbers, such as 1 2 4",
-                        e);
-            }
-        }
-        return workers;
-    }
-
-    private static int[] doubled() {
+    private static List<Integer> doubled() {
         int most = Runtime.getRuntime().availableProcessors();
-        int[] workers = new int[32 - Integer.numberOfLeadingZeros(most)];
-        Arrays.setAll(workers, i -> 1 << i);
-        return workers;
+        return IntStream.iterate(1, w -> w <= most, w -> 2 * w).boxed().toList();
     }
 
-    private static Times measure(Row row, int workers) {
+    private static Times measure(Row row, int workers, int ticks) {
         SampleScene scene = SceneRegistry.get(row.scene);
         SceneOptions options =
                 SceneOptions.of(scene, row.settings, SceneOptions.DEFAULT_SEED, null);
@@ -106,8 +134,8 @@ public final class Scaling {
                         .systems(scene.systems(options))
                         .build()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
-            double[] millis = new double[TICKS];
-            for (int tick = -TICKS; tick < TICKS; tick++) {
+            double[] millis = new double[ticks];
+            for (int tick = -ticks; tick < ticks; tick++) {
                 long start = System.nanoTime();
                 built.beforeTick();
                 world.step(SampleScene.STEP_SECONDS);
@@ -116,9 +144,9 @@ public final class Scaling {
             }
             Arrays.sort(millis);
             return new Times(
-                    millis[TICKS / 4],
-                    millis[TICKS / 2],
-                    millis[3 * TICKS / 4],
+                    millis[ticks / 4],
+                    millis[ticks / 2],
+                    millis[3 * ticks / 4],
                     world.contacts().count(),
                     world.digest());
         }
