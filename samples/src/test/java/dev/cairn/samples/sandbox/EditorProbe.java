@@ -129,6 +129,7 @@ public final class EditorProbe extends Sandbox {
                                 at[1] * ui.height()));
             }
         }
+        line.append(" overlapping=").append(ui.overlapping());
         for (String button : BUTTONS) {
             line.append(WindowFixture.middle(ui, button));
         }

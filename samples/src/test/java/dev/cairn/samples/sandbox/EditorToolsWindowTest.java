@@ -72,6 +72,7 @@ class EditorToolsWindowTest extends WindowFixture {
         look("editor-message");
         assertEquals(before.number("boxX"), now().number("boxX"), last);
         assertEquals(before.number("boxY"), now().number("boxY"), last);
+        assertEquals(0, now().number("overlapping"), "the message lies over nothing: " + last);
     }
 
     /** The way a quarter of the picture's height wide is an eighth of a turn; then all way back. */
