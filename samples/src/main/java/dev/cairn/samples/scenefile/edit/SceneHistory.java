@@ -5,7 +5,9 @@ import dev.cairn.samples.scenefile.SceneFile;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayDeque;
+import java.util.Arrays;
 import java.util.Deque;
+import java.util.List;
 import java.util.Objects;
 
 /**
@@ -28,12 +30,12 @@ public final class SceneHistory {
     private final Deque<Step> undo = new ArrayDeque<>();
     private final Deque<Step> redo = new ArrayDeque<>();
     private SceneFile current;
-    private int[] chosen = {};
+    private List<Integer> chosen = List.of();
     private long entities;
     private boolean open;
 
     /** What was done, and the scene on its other side, with what was selected there. */
-    private record Step(String label, SceneFile scene, int[] chosen) {
+    private record Step(String label, SceneFile scene, List<Integer> chosen) {
         int entities() {
             return scene.entities().size();
         }
@@ -80,20 +82,19 @@ public final class SceneHistory {
      * Keeps what is selected in the present scene, for when a step leads back to it. An edit
      * forgets it.
      *
-     * @param places in the list of entities; kept, not to be changed afterwards
+     * @param places in the list of entities
      */
     public void choose(int... places) {
-        chosen = places;
+        chosen = Arrays.stream(places).boxed().toList();
     }
 
     /**
      * What was selected in the present scene.
      *
-     * @return what {@link #choose} was given when this scene was left last; else nothing; not to be
-     *     changed
+     * @return what {@link #choose} was given when this scene was left last; else nothing
      */
     public int[] chosen() {
-        return chosen;
+        return chosen.stream().mapToInt(Integer::intValue).toArray();
     }
 
     /**
@@ -118,7 +119,7 @@ public final class SceneHistory {
         trim();
         open = joins;
         current = next;
-        chosen = new int[0];
+        chosen = List.of();
         return true;
     }
 
