@@ -8,23 +8,21 @@ import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
 
 /**
- * Prints, for every scene, the bytes that the second half of its ticks allocated; one line each. A
- * scene ends early, with 0, when enough ticks in a row allocated nothing.
+ * Prints, for every scene, the bytes that the second half of its ticks allocated; one line each.
  */
 final class AllocationProbe {
     private AllocationProbe() {}
 
-    /** Arguments: ticks, ticks in a row that are enough, workers. */
+    /** Arguments: ticks, workers. */
     public static void main(String[] arguments) {
         int ticks = Integer.parseInt(arguments[0]);
-        int enough = Integer.parseInt(arguments[1]);
-        int workers = Integer.parseInt(arguments[2]);
+        int workers = Integer.parseInt(arguments[1]);
         for (SampleScene scene : SceneRegistry.all()) {
-            System.out.println(scene.id() + " " + bytes(scene, ticks, enough, workers));
+            System.out.println(scene.id() + " " + bytes(scene, ticks, workers));
         }
     }
 
-    private static long bytes(SampleScene scene, int ticks, int enough, int workers) {
+    private static long bytes(SampleScene scene, int ticks, int workers) {
         AllocationMeter meter = new AllocationMeter();
         SceneOptions options = SceneOptions.defaults(scene);
         try (PhysicsWorld world =
@@ -37,14 +35,11 @@ final class AllocationProbe {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
             meter.attach();
             long sum = 0;
-            int last = 0;
-            for (int tick = 1; tick <= ticks && tick - last <= enough; tick++) {
+            for (int tick = 1; tick <= ticks; tick++) {
                 built.beforeTick();
                 long before = meter.bytes();
                 world.step(SampleScene.STEP_SECONDS);
-                long bytes = meter.bytes() - before;
-                last = bytes > 0 ? tick : last;
-                sum += 2 * tick > ticks ? bytes : 0;
+                sum += 2 * tick > ticks ? meter.bytes() - before : 0;
                 built.afterTick();
             }
             return sum;

@@ -77,15 +77,16 @@ public final class Scaling implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        List<Row> rows =
-                ROWS.stream().filter(r -> scenes.isEmpty() || scenes.contains(r.scene)).toList();
-        if (ticks < 1 || rows.isEmpty() || workers.stream().anyMatch(w -> w < 1)) {
+        List<String> known = ROWS.stream().map(Row::scene).toList();
+        if (ticks < 1 || !known.containsAll(scenes) || workers.stream().anyMatch(w -> w < 1)) {
             System.err.printf(
                     "--ticks %d, --scenes %s, workers %s: want at least 1 tick, 1 worker, and"
                             + " scenes of %s%n",
-                    ticks, scenes, workers, ROWS.stream().map(Row::scene).toList());
+                    ticks, scenes, workers, known);
             return CommandLine.ExitCode.USAGE;
         }
+        List<Row> rows =
+                ROWS.stream().filter(r -> scenes.isEmpty() || scenes.contains(r.scene)).toList();
         List<Integer> counts = workers.isEmpty() ? doubled() : workers;
         System.out.printf(
                 Locale.ROOT,

@@ -162,12 +162,7 @@ final class StandingMachinesTest {
         double wheelMass = 20;
         double torque = 400;
         double start = 0.75;
-        try (PhysicsWorld world =
-                PhysicsWorld.builder()
-                        .gravity(0, -G, 0)
-                        .settings(PhysicsSettings.DEFAULT.withSubsteps(substeps))
-                        .sleeping(false)
-                        .build()) {
+        try (PhysicsWorld world = world(substeps)) {
             world.add(Body.fixed().shape(HalfSpace.of()).material(new Material(0.9, 0, 1000)));
             Body chassis = Body.dynamic().shape(Box.ofHalfExtents(1.2, 0.25, 0.6)).mass(mass);
             BodyRef car = world.add(chassis.at(0, start, 0));
@@ -209,12 +204,7 @@ final class StandingMachinesTest {
     @ParameterizedTest(name = "{0} times the mass, {1} sub-steps")
     @CsvSource({"1, 4", "10, 2", "10, 4", "10, 16", "100, 4", "100, 8"})
     void aHeavyBallStaysOnAnArmAtItsStop(double mass, int substeps) {
-        try (PhysicsWorld world =
-                PhysicsWorld.builder()
-                        .gravity(0, -G, 0)
-                        .settings(PhysicsSettings.DEFAULT.withSubsteps(substeps))
-                        .sleeping(false)
-                        .build()) {
+        try (PhysicsWorld world = world(substeps)) {
             BodyRef post =
                     world.add(Body.fixed().shape(Box.ofHalfExtents(0.05, 0.05, 0.05)).at(0, 1, 0));
             Body beam = Body.dynamic().shape(Box.ofHalfExtents(0.5, 0.05, 0.1)).mass(1);
@@ -235,5 +225,13 @@ final class StandingMachinesTest {
             }
             assertEquals(1.15, ball.position(new Vector3d()).y, 0.2 * 0.1);
         }
+    }
+
+    private static PhysicsWorld world(int substeps) {
+        return PhysicsWorld.builder()
+                .gravity(0, -G, 0)
+                .settings(PhysicsSettings.DEFAULT.withSubsteps(substeps))
+                .sleeping(false)
+                .build();
     }
 }

@@ -11,7 +11,6 @@ import dev.cairn.physics.joint.Joint;
 import dev.cairn.physics.mesh.Grounds;
 import dev.cairn.physics.shape.Box;
 
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -61,18 +60,6 @@ class OtherJvmTest {
 
     @Test
     void anotherMachineGoesOnWithTheSameBits(@TempDir Path folder) throws Exception {
-        goesOn(folder, 2, 1, List.of("-XX:TieredStopAtLevel=1"));
-    }
-
-    /** It compiles the kernels of its lanes first, for half a minute. */
-    @Test
-    @Tag("soak")
-    void anotherMachineWithLanesGoesOnWithTheSameBits(@TempDir Path folder) throws Exception {
-        goesOn(folder, 1, 8, List.of());
-    }
-
-    private static void goesOn(Path folder, int workers, int lanes, List<String> flags)
-            throws Exception {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
             Grounds.drop(world, 20, 3);
             BodyRef a = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.3)).at(0, 8, 0));
@@ -84,29 +71,26 @@ class OtherJvmTest {
             Path file = folder.resolve("state.cairn");
             world.save().writeTo(file, PhysicsWorld.codecs());
             List<String> here = digests(world);
-            assertEquals(here, elsewhere(folder, file, workers, lanes, flags));
+            for (int[] each : new int[][] {{1, 8}, {2, 1}}) {
+                assertEquals(here, elsewhere(folder, file, each[0], each[1]));
+            }
         }
     }
 
-    private static List<String> elsewhere(
-            Path folder, Path file, int workers, int lanes, List<String> flags)
+    private static List<String> elsewhere(Path folder, Path file, int workers, int lanes)
             throws IOException, InterruptedException {
         Path out = folder.resolve("out.txt");
         Path err = folder.resolve("err.txt");
-        List<String> command = new ArrayList<>();
-        command.add(ProcessHandle.current().info().command().orElseThrow());
-        command.addAll(flags);
-        command.addAll(
-                List.of(
-                        "--add-modules=jdk.incubator.vector",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Main.class.getName(),
-                        file.toString(),
-                        Integer.toString(workers),
-                        Integer.toString(lanes)));
         Process process =
-                new ProcessBuilder(command)
+                new ProcessBuilder(
+                                ProcessHandle.current().info().command().orElseThrow(),
+                                "--add-modules=jdk.incubator.vector",
+                                "-cp",
+                                System.getProperty("java.class.path"),
+                                Main.class.getName(),
+                                file.toString(),
+                                Integer.toString(workers),
+                                Integer.toString(lanes))
                         .redirectOutput(out.toFile())
                         .redirectError(err.toFile())
                         .start();

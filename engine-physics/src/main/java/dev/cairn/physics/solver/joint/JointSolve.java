@@ -275,7 +275,8 @@ public final class JointSolve extends PositionTrial {
         }
         double last = Double.POSITIVE_INFINITY;
         int flying = s.isRigid ? ROUNDS : 2 * ROUNDS;
-        int rounds = s.touchCount > 0 ? STANDING : flying;
+        int each = s.touchCount > 0 ? STANDING : flying;
+        int rounds = each;
         double almost = s.touchCount > 0 ? ALMOST : NEARLY;
         boolean asks = true;
         for (int round = 0; round < rounds; round++) {
@@ -292,7 +293,9 @@ public final class JointSolve extends PositionTrial {
             boolean changed = !s.isRigid && asks && hold(round, last);
             asks = s.isRigid || !changed || !isFirm();
             if (!asks) {
+                // who is tried next has as many rounds as the first
                 again();
+                rounds = round + 1 + each;
                 last = Double.POSITIVE_INFINITY;
                 continue;
             }
