@@ -42,6 +42,8 @@ public final class Assemblies implements Stateful {
     private static final int MOST_TOUCHES = 64;
 
     private static final int NONE = -1;
+
+    /** Assemblies are solved side by side: a body that two of them move would be written twice. */
     private static final int SEVERAL = -2;
 
     /** By slot of a body in no assembly: the one that it touches. */
@@ -175,7 +177,7 @@ public final class Assemblies implements Stateful {
             touched[free] = NONE;
         } else if (look == 1) {
             touched[free] = touched[free] == NONE || touched[free] == a ? a : SEVERAL;
-        } else if (touched[free] == a && isSolvedWith(list, m, bound) && all.get(a).isHeld()) {
+        } else if (touched[free] == a && isSolvedWith(list, m, bound)) {
             all.get(a).touch(m);
         }
     }

@@ -197,11 +197,6 @@ public final class Assembly {
         standCount++;
     }
 
-    /** Whether something that does not move holds it; else it gives way, and sweeps do. */
-    boolean isHeld() {
-        return isGrounded || standCount > 0;
-    }
-
     /** Notes a contact with a body that moves. */
     void touch(int edge) {
         if (touchCount == stand.length) {
