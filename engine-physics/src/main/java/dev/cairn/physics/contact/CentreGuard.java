@@ -192,7 +192,7 @@ final class CentreGuard {
         double z = wayZ(c);
         double least = least(c);
         boolean isSolid = colliders.innerRadius[c] > 0 && !colliders.sensor[c];
-        return x * x + y * y + z * z > least * least && isSolid && !colliders.isPart(c);
+        return x * x + y * y + z * z > least * least && isSolid;
     }
 
     /** A way that is looked at is longer than this, m; any is, of who was struck. */
@@ -294,9 +294,7 @@ final class CentreGuard {
         int body = colliders.body[part];
         if (!isDynamic(body)
                 || !(halt.isLoose(body) || isSeen)
-                || isWider(part, other)
-                // its whole has a row; a hook sees those of parts
-                || (!isHooked && colliders.isPart(part))) {
+                || isWider(part, other)) {
             return;
         }
         keepOut(part, other);
