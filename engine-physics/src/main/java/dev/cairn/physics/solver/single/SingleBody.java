@@ -23,6 +23,7 @@ public final class SingleBody {
     private final InelasticImpact impact = new InelasticImpact();
     private final PinnedCorner corner = new PinnedCorner();
     private final RollingRim rim = new RollingRim();
+    private final AndersonStep mixing = new AndersonStep();
 
     /**
      * Start of a sub-step, before its kick: points that land in it, and the corner that the body
@@ -82,7 +83,8 @@ public final class SingleBody {
             window.close(rows, row);
             return;
         }
-        SingleContact.agree(guide, rows.rolling, bodies.state, sub, gain, place, row, i, scratch);
+        SingleContact.agree(
+                guide, rows.rolling, bodies.state, sub, gain, place, row, i, mixing, scratch);
         Motion.keep(tick.bodies, bodies, i);
         EnergyBound.end(tick.bodies, bodies, i, guide, rows.rolling, place, row);
         window.close(rows, row);

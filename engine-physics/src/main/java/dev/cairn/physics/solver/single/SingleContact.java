@@ -41,6 +41,7 @@ final class SingleContact {
      * @param gain what gravity adds to a speed in the sub-step, m/s
      * @param place of the only row of body {@code i}
      * @param at its place in {@code rolling}
+     * @param mixing spares sweeps where nothing rolls
      */
     static void agree(
             ConstraintRows rows,
@@ -51,20 +52,29 @@ final class SingleContact {
             int place,
             int at,
             int i,
+            AndersonStep mixing,
             Scratch scratch) {
         if (!moves(body, SolverBodies.offset(i), STILL * gain)) {
             return;
         }
+        double[] d = rows.doubles;
+        int o = rows.base(place);
+        int points = rows.points(place);
+        int a = rows.link[place * ConstraintRows.LINK];
+        int b = rows.link[place * ConstraintRows.LINK + ConstraintRows.BODY_B];
+        boolean rolls = rolling.has(at);
+        mixing.begin();
         for (int k = 0; k < sub.lone; k++) {
+            mixing.start(d, o, rows.lanes, points);
             double change = again(rows, body, sub, place, scratch.doubles);
-            if (rolling.has(at)) {
+            if (rolls) {
                 change = Math.max(change, RollingFriction.row(rows, place, body, rolling, at));
             }
-            double largest =
-                    RowArithmetic.largest(
-                            rows.doubles, rows.base(place), rows.lanes, rows.points(place));
-            if (!(change > AGREES * largest)) {
+            if (!(change > AGREES * RowArithmetic.largest(d, o, rows.lanes, points))) {
                 return;
+            }
+            if (!rolls) {
+                mixing.leap(d, o, rows.lanes, body, a, b, points);
             }
         }
     }
