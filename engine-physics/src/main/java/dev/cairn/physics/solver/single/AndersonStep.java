@@ -1,0 +1,150 @@
+package dev.cairn.physics.solver.single;
+
+import static dev.cairn.physics.solver.row.ConstraintRows.ARM_A;
+import static dev.cairn.physics.solver.row.ConstraintRows.ARM_B;
+import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
+import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
+import static dev.cairn.physics.solver.row.ConstraintRows.LEVER;
+import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
+import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
+import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
+import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT1;
+import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
+import static dev.cairn.physics.solver.row.ConstraintRows.TWIST;
+
+import dev.cairn.physics.solver.body.SolverBodies;
+
+/**
+ * Anderson's mixing with one step of memory, for the sweeps of one row: where they come nearer to
+ * their end by the same share each time, it leaps there.
+ *
+ * <p>Problem: normals tilt a sliding block, friction follows the normals, and each sweep leaves a
+ * share of the error of the one before, from a sixth at friction 0.05 to a third at 0.6. To agree
+ * within 1e-12 takes 13 to 27 sweeps, which were half the tick of bodies that slide alone.
+ *
+ * <p>Let a sweep lead from the impulses x to g(x), and f = g(x) - x. Had f the same direction
+ * always, it would be 0 at
+ *
+ * <pre>  x' = g - b (g - g_before),   b = f . (f - f_before) / |f - f_before|²</pre>
+ *
+ * which is the secant method. The leap is taken as impulses on the bodies, so momentum stays; what
+ * counts as the answer is still a sweep that changes nothing. No leap is made where sweeps lead
+ * away, nor one that would pull.
+ *
+ * <p>One to a worker. Does not allocate. Source: D. G. Anderson, "Iterative procedures for nonlinear
+ * integral equations", Journal of the ACM 12 (1965), with M = 1.
+ */
+final class AndersonStep {
+    private static final int NORMALS = 4;
+
+    /** Of the unknowns: four normal impulses, friction along both tangents, twist. */
+    private static final int FRICTION = NORMALS, SPIN = NORMALS + 2, SIZE = NORMALS + 3;
+
+    private final double[] start = new double[SIZE];
+    private final double[] end = new double[SIZE];
+    private final double[] endBefore = new double[SIZE];
+    private final double[] change = new double[SIZE];
+    private final double[] changeBefore = new double[SIZE];
+    private final double[] leap = new double[SIZE];
+
+    private boolean hasBefore;
+
+    /** Another row. */
+    void begin() {
+        hasBefore = false;
+    }
+
+    /** Before a sweep of the row at {@code o}. */
+    void start(double[] d, int o, int lanes, int points) {
+        read(d, o, lanes, points, start);
+    }
+
+    /** After the sweep: leaps to where its change would be 0. */
+    void leap(double[] d, int o, int lanes, double[] body, int a, int b, int points) {
+        read(d, o, lanes, points, end);
+        for (int i = 0; i < SIZE; i++) {
+            change[i] = end[i] - start[i];
+        }
+        if (hasBefore && find(points)) {
+            give(d, o, lanes, body, a, b, points);
+        }
+        System.arraycopy(end, 0, endBefore, 0, SIZE);
+        System.arraycopy(change, 0, changeBefore, 0, SIZE);
+        hasBefore = true;
+    }
+
+    private static void read(double[] d, int o, int lanes, int points, double[] to) {
+        for (int p = 0; p < NORMALS; p++) {
+            to[p] = p < points ? d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes] : 0;
+        }
+        for (int f = 0; f < 3; f++) {
+            to[FRICTION + f] = d[o + (LAMBDA + f) * lanes];
+        }
+    }
+
+    /** Finds the leap; false if there is none. The twist has another unit, and has no say. */
+    private boolean find(int points) {
+        double now = 0;
+        double before = 0;
+        double along = 0;
+        double apart = 0;
+        for (int i = 0; i < SPIN; i++) {
+            double difference = change[i] - changeBefore[i];
+            now += change[i] * change[i];
+            before += changeBefore[i] * changeBefore[i];
+            along += change[i] * difference;
+            apart += difference * difference;
+        }
+        if (!(now < before && apart > 0)) {
+            return false;
+        }
+        double share = along / apart;
+        for (int i = 0; i < SIZE; i++) {
+            leap[i] = -share * (end[i] - endBefore[i]);
+        }
+        for (int p = 0; p < points; p++) {
+            if (end[p] + leap[p] < 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void give(double[] d, int o, int lanes, double[] body, int a, int b, int points) {
+        for (int p = 0; p < points; p++) {
+            d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes] += leap[p];
+            d[o + (SUM + p) * lanes] += leap[p];
+        }
+        for (int f = 0; f < 3; f++) {
+            d[o + (LAMBDA + f) * lanes] += leap[FRICTION + f];
+            d[o + (TOTAL + f) * lanes] += leap[FRICTION + f];
+        }
+        give(d, o, lanes, body, a, points, -1, 0);
+        give(d, o, lanes, body, b, points, 1, 1);
+    }
+
+    /** {@code v += m (n sum(l) + t1 f1 + t2 f2)} and what their levers do, on one side. */
+    private void give(
+            double[] d, int o, int lanes, double[] body, int at, int points, int sign, int side) {
+        if (at == 0) {
+            return;
+        }
+        double sum = leap[0] + leap[1] + leap[2] + leap[3];
+        double mass = sign * body[at + SolverBodies.MASS];
+        int arm = side == 0 ? ARM_A : ARM_B;
+        for (int axis = 0; axis < 3; axis++) {
+            int x = o + axis * lanes;
+            double straight = sum * d[x];
+            double turn = leap[SPIN] * d[x + (TWIST + 3 * side) * lanes];
+            for (int f = 0; f < 2; f++) {
+                straight += leap[FRICTION + f] * d[x + (TANGENT1 + 3 * f) * lanes];
+                turn += leap[FRICTION + f] * d[x + (LEVER + 6 * side + 3 * f) * lanes];
+            }
+            for (int p = 0; p < points; p++) {
+                turn += leap[p] * d[x + (POINT + p * POINT_FIELDS + arm) * lanes];
+            }
+            body[at + axis] = body[at + axis] + mass * straight + 0.0;
+            body[at + 3 + axis] = body[at + 3 + axis] + sign * turn + 0.0;
+        }
+    }
+}
