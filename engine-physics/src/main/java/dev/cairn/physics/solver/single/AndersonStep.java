@@ -15,24 +15,25 @@ import static dev.cairn.physics.solver.row.ConstraintRows.TWIST;
 import dev.cairn.physics.solver.body.SolverBodies;
 
 /**
- * Anderson's mixing with one step of memory, for the sweeps of one row: where they come nearer to
- * their end by the same share each time, it leaps there.
+ * Anderson's mixing with two steps of memory, for the sweeps of one row: where they come nearer to
+ * their end by the same shares each time, it leaps there.
  *
  * <p>Problem: normals tilt a sliding block, friction follows the normals, and each sweep leaves a
  * share of the error of the one before, from a sixth at friction 0.05 to a third at 0.6. To agree
- * within 1e-12 takes 13 to 27 sweeps, which were half the tick of bodies that slide alone.
+ * within 1e-12 took 13 to 27 sweeps, which were half the tick of bodies that slide alone. With
+ * leaps it takes 6 to 8: a block tilts about two axes, so the error has two directions.
  *
- * <p>Let a sweep lead from the impulses x to g(x), and f = g(x) - x. Had f the same direction
- * always, it would be 0 at
+ * <p>Let a sweep lead from the impulses x to g(x), and f = g(x) - x, with differences to the sweep
+ * before {@code df, dg}, and those of that sweep {@code df', dg'}. If f were linear, the leap
  *
- * <pre>  x' = g - b (g - g_before),   b = f . (f - f_before) / |f - f_before|²</pre>
+ * <pre>  x' = g - s dg - s' dg',   with s, s' that make |f - s df - s' df'| least</pre>
  *
- * which is the secant method. The leap is taken as impulses on the bodies, so momentum stays; what
- * counts as the answer is still a sweep that changes nothing. No leap is made where sweeps lead
- * away, nor one that would pull.
+ * would lead to the end. It is taken as impulses on the bodies, so momentum stays; what counts as
+ * the answer is still a sweep that changes nothing. No leap is made where sweeps lead away, nor one
+ * that would pull.
  *
  * <p>One to a worker. Does not allocate. Source: D. G. Anderson, "Iterative procedures for nonlinear
- * integral equations", Journal of the ACM 12 (1965), with M = 1.
+ * integral equations", Journal of the ACM 12 (1965), with M = 2.
  */
 final class AndersonStep {
     private static final int NORMALS = 4;
@@ -40,18 +41,26 @@ final class AndersonStep {
     /** Of the unknowns: four normal impulses, friction along both tangents, twist. */
     private static final int FRICTION = NORMALS, SPIN = NORMALS + 2, SIZE = NORMALS + 3;
 
+    /** Square of the sine between two differences up to which they are one. */
+    private static final double ALIKE = 1e-8;
+
     private final double[] start = new double[SIZE];
     private final double[] end = new double[SIZE];
-    private final double[] endBefore = new double[SIZE];
     private final double[] change = new double[SIZE];
-    private final double[] changeBefore = new double[SIZE];
     private final double[] leap = new double[SIZE];
 
-    private boolean hasBefore;
+    /** By sweep, the last one first: {@code g - g_before} and {@code f - f_before}. */
+    private double[] ends = new double[SIZE], endsBefore = new double[SIZE];
+
+    private double[] changes = new double[SIZE], changesBefore = new double[SIZE];
+    private final double[] lastEnd = new double[SIZE], lastChange = new double[SIZE];
+
+    /** Sweeps so far. */
+    private int sweeps;
 
     /** Another row. */
     void begin() {
-        hasBefore = false;
+        sweeps = 0;
     }
 
     /** Before a sweep of the row at {@code o}. */
@@ -62,15 +71,37 @@ final class AndersonStep {
     /** After the sweep: leaps to where its change would be 0. */
     void leap(double[] d, int o, int lanes, double[] body, int a, int b, int points) {
         read(d, o, lanes, points, end);
+        double[] oldest = endsBefore;
+        endsBefore = ends;
+        ends = oldest;
+        oldest = changesBefore;
+        changesBefore = changes;
+        changes = oldest;
+        double now = 0;
+        double before = 0;
         for (int i = 0; i < SIZE; i++) {
             change[i] = end[i] - start[i];
+            ends[i] = end[i] - lastEnd[i];
+            changes[i] = change[i] - lastChange[i];
+            if (i < SPIN) {
+                now += change[i] * change[i];
+                before += lastChange[i] * lastChange[i];
+            }
+            lastEnd[i] = end[i];
+            lastChange[i] = change[i];
         }
-        if (hasBefore && find(points)) {
+        sweeps++;
+        if (sweeps > 1 && now < before && find(points)) {
             give(d, o, lanes, body, a, b, points);
         }
-        System.arraycopy(end, 0, endBefore, 0, SIZE);
-        System.arraycopy(change, 0, changeBefore, 0, SIZE);
-        hasBefore = true;
+    }
+
+    private static double dot(double[] x, double[] y) {
+        double sum = 0;
+        for (int i = 0; i < SPIN; i++) {
+            sum += x[i] * y[i];
+        }
+        return sum;
     }
 
     private static void read(double[] d, int o, int lanes, int points, double[] to) {
@@ -84,23 +115,25 @@ final class AndersonStep {
 
     /** Finds the leap; false if there is none. The twist has another unit, and has no say. */
     private boolean find(int points) {
-        double now = 0;
-        double before = 0;
-        double along = 0;
-        double apart = 0;
-        for (int i = 0; i < SPIN; i++) {
-            double difference = change[i] - changeBefore[i];
-            now += change[i] * change[i];
-            before += changeBefore[i] * changeBefore[i];
-            along += change[i] * difference;
-            apart += difference * difference;
-        }
-        if (!(now < before && apart > 0)) {
+        double k11 = dot(changes, changes);
+        if (!(k11 > 0)) {
             return false;
         }
-        double share = along / apart;
+        double r1 = dot(changes, change);
+        double share = r1 / k11;
+        double shareBefore = 0;
+        if (sweeps > 2) {
+            double k12 = dot(changes, changesBefore);
+            double k22 = dot(changesBefore, changesBefore);
+            double r2 = dot(changesBefore, change);
+            double det = k11 * k22 - k12 * k12;
+            if (det > ALIKE * k11 * k22) {
+                share = (r1 * k22 - r2 * k12) / det;
+                shareBefore = (r2 * k11 - r1 * k12) / det;
+            }
+        }
         for (int i = 0; i < SIZE; i++) {
-            leap[i] = -share * (end[i] - endBefore[i]);
+            leap[i] = -share * ends[i] - shareBefore * endsBefore[i];
         }
         for (int p = 0; p < points; p++) {
             if (end[p] + leap[p] < 0) {
