@@ -72,7 +72,30 @@ public final class PatchFriction {
      */
     public static final double STALE = 16;
 
+    /** Of the mean mass: a mass that slips is no smaller, whatever rounding says. */
+    public static final double LIGHT = 1e-6;
+
     private PatchFriction() {}
+
+    /**
+     * The mass of what slips, one for both tangents, so that it is braked along its slip.
+     *
+     * <p>A box is harder to move along than across where the friction also tips it: {@code K^-1} is
+     * not a multiple of 1, and {@code l - K^-1 v}, drawn back to the limit, ends along {@code K^-1
+     * v}. A box that slid askew was so turned aside by up to a tenth of its way. With one mass m
+     * sweeps end where friction is along v, and they end for {@code m = 2/(k1 + k2)}, k the inverse
+     * masses along the axes of K: {@code m = a - b²/a}, a the mean of the diagonal of {@code K^-1}
+     * and b² what makes its axes differ.
+     *
+     * @param k11 of {@code K^-1}, kg
+     * @param k12 see {@code k11}
+     * @param k22 see {@code k11}
+     */
+    public static double mass(double k11, double k12, double k22) {
+        double mean = 0.5 * (k11 + k22);
+        double half = 0.5 * (k11 - k22);
+        return Math.max(mean - (half * half + k12 * k12) / mean, LIGHT * mean);
+    }
 
     /**
      * Whether a patch sticks beyond any doubt, of rounding too; most of those at rest do.

@@ -112,8 +112,16 @@ public final class ScalarFriction {
         double spin = Math.abs(twist);
         if (limit > 0 && !PatchFriction.isStuck(size, spin, limit * limit, bound)) {
             double reach = bound / limit;
-            if (!PatchFriction.holds(size, spin, limit * limit, bound, reach)) {
-                double mass = 0.5 * (d[k] + d[k + 2 * lanes]);
+            double mass = 0;
+            boolean holds = PatchFriction.holds(size, spin, limit * limit, bound, reach);
+            if (!holds) {
+                mass = PatchFriction.mass(d[k], d[k + lanes], d[k + 2 * lanes]);
+                f1 = d[l] - mass * v1;
+                f2 = d[l + lanes] - mass * v2;
+                size = f1 * f1 + f2 * f2;
+                holds = PatchFriction.holds(size, spin, limit * limit, bound, reach);
+            }
+            if (!holds) {
                 double inertia = d[o + TWIST_MASS * lanes];
                 double radius = PatchFriction.RADIUS * reach;
                 double slide = Math.sqrt(size);

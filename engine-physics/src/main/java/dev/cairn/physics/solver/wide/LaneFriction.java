@@ -8,6 +8,7 @@ import dev.cairn.physics.solver.kernel.ScalarFriction;
 import dev.cairn.physics.solver.row.ConstraintRows;
 
 import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
@@ -38,6 +39,11 @@ final class LaneFriction implements LaneKernels.Friction {
     private static final int HELD = SLIDE + 9 * L;
     private static final int WANTED = SLIDE + 10 * L;
 
+    /** Slip along both tangents, and the mass of what slips. */
+    private static final int SPEED = SLIDE + 12 * L;
+
+    private static final int MASS_OF_SLIP = SLIDE + 14 * L;
+
     @Override
     public boolean solve(ConstraintRows rows, int from, int to, double[] st, int g, int marks) {
         boolean again = false;
@@ -63,6 +69,7 @@ final class LaneFriction implements LaneKernels.Friction {
         boolean again = mark(d, o, st, g, marks);
         spin(d, o, st, g);
         if (slide(d, o, st, g)) {
+            brake(d, o, st);
             slip(d, o, st);
         }
         give(d, o, st, g);
@@ -202,6 +209,8 @@ final class LaneFriction implements LaneKernels.Friction {
                                         .mul(ax)
                                         .add(DoubleVector.fromArray(S, d, v + 4 * L).mul(ay))
                                         .add(DoubleVector.fromArray(S, d, v + 5 * L).mul(az)));
+        v1.intoArray(st, SPEED);
+        v2.intoArray(st, SPEED + L);
         int k = o + BLOCK * L;
         var k12 = DoubleVector.fromArray(S, d, k + L);
         int l = o + LAMBDA * L;
@@ -296,6 +305,57 @@ final class LaneFriction implements LaneKernels.Friction {
         }
     }
 
+    /** Lanes that slip are braked along their slip, see {@link PatchFriction#mass}. */
+    private static void brake(double[] d, int o, double[] st) {
+        var slide = DoubleVector.fromArray(S, st, SLIDE);
+        var limit = DoubleVector.fromArray(S, st, LIMIT);
+        var bound = DoubleVector.fromArray(S, st, BOUND);
+        var holds =
+                holds(
+                        slide,
+                        DoubleVector.fromArray(S, st, SPIN),
+                        limit,
+                        bound,
+                        bound.div(limit));
+        int k = o + BLOCK * L;
+        var k11 = DoubleVector.fromArray(S, d, k);
+        var k12 = DoubleVector.fromArray(S, d, k + L);
+        var k22 = DoubleVector.fromArray(S, d, k + 2 * L);
+        var mean = k11.add(k22).mul(0.5);
+        var half = k11.sub(k22).mul(0.5);
+        var mass =
+                mean.sub(half.mul(half).add(k12.mul(k12)).div(mean))
+                        .max(mean.mul(PatchFriction.LIGHT));
+        mass.intoArray(st, MASS_OF_SLIP);
+        int l = o + LAMBDA * L;
+        var f1 =
+                DoubleVector.fromArray(S, d, l)
+                        .sub(mass.mul(DoubleVector.fromArray(S, st, SPEED)));
+        var f2 =
+                DoubleVector.fromArray(S, d, l + L)
+                        .sub(mass.mul(DoubleVector.fromArray(S, st, SPEED + L)));
+        f1.mul(f1).add(f2.mul(f2)).blend(slide, holds).intoArray(st, SLIDE);
+        f1.blend(DoubleVector.fromArray(S, st, WANTED), holds).intoArray(st, WANTED);
+        f2.blend(DoubleVector.fromArray(S, st, WANTED + L), holds).intoArray(st, WANTED + L);
+    }
+
+    /** See {@link PatchFriction#holds}. */
+    private static VectorMask<Double> holds(
+            DoubleVector slide,
+            DoubleVector spin,
+            DoubleVector limit,
+            DoubleVector bound,
+            DoubleVector reach) {
+        var l2 = limit.mul(limit);
+        var rim = spin.div(reach.add(PatchFriction.SHORT));
+        return slide.compare(VectorOperators.LE, l2)
+                .and(spin.compare(VectorOperators.LE, bound))
+                .and(
+                        slide.mul(9.0)
+                                .add(rim.mul(rim).mul(16.0))
+                                .compare(VectorOperators.LE, l2.mul(9.0)));
+    }
+
     /**
      * The shares of the impulses that the slipping lanes of a group can give, see {@link
      * PatchFriction}.
@@ -305,11 +365,7 @@ final class LaneFriction implements LaneKernels.Friction {
         var spin = DoubleVector.fromArray(S, st, SPIN);
         var limit = DoubleVector.fromArray(S, st, LIMIT);
         var bound = DoubleVector.fromArray(S, st, BOUND);
-        int k = o + BLOCK * L;
-        var mass =
-                DoubleVector.fromArray(S, d, k)
-                        .add(DoubleVector.fromArray(S, d, k + 2 * L))
-                        .mul(0.5);
+        var mass = DoubleVector.fromArray(S, st, MASS_OF_SLIP);
         var inertia = DoubleVector.fromArray(S, d, o + TWIST_MASS * L);
         var reach = bound.div(limit);
         var radius = reach.mul(PatchFriction.RADIUS);
@@ -363,15 +419,7 @@ final class LaneFriction implements LaneKernels.Friction {
                                             .div(p.mul(mass.mul(u)).add(q.mul(inertia.mul(w)))))
                             .max(0.0);
         }
-        var l2 = limit.mul(limit);
-        var rim = spin.div(reach.add(PatchFriction.SHORT));
-        var holds =
-                slide.compare(VectorOperators.LE, l2)
-                        .and(spin.compare(VectorOperators.LE, bound))
-                        .and(
-                                slide.mul(9.0)
-                                        .add(rim.mul(rim).mul(16.0))
-                                        .compare(VectorOperators.LE, l2.mul(9.0)));
+        var holds = holds(slide, spin, limit, bound, reach);
         var hasFriction = limit.compare(VectorOperators.GT, 0.0);
         limit.div(mass.mul(give).add(limit))
                 .blend(1.0, holds)
