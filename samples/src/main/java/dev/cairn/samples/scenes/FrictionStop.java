@@ -18,7 +18,8 @@ import java.util.List;
  * Equal blocks pushed off in all directions slide to a stop.
  *
  * <p>Truth: each stops after {@code v²/(2 mu g)}, on the line that it was pushed along: they end on
- * a circle. Friction pyramids make a star of it.
+ * a circle. Friction pyramids make a star of it, and of long blocks so does friction that is drawn
+ * back from what would stop them: they tip more easily across than along.
  */
 public final class FrictionStop {
     private static final double HALF = 0.15;
@@ -41,7 +42,8 @@ public final class FrictionStop {
                 List.of(
                         Parameter.count("blocks", 24, 1, 24, "number of blocks"),
                         Parameter.real("speed", 5, 0, 20, "speed at the start, m/s"),
-                        Parameter.real("friction", 0.5, 0.05, 10, "Coulomb coefficient")),
+                        Parameter.real("friction", 0.5, 0.05, 10, "Coulomb coefficient"),
+                        Parameter.real("length", 0.3, 0.1, 2, "length of a block along x, m")),
                 180,
                 120,
                 FrictionStop::build);
@@ -53,7 +55,7 @@ public final class FrictionStop {
         double friction = scene.get("friction");
         double distance = speed * speed / (2 * friction * SampleScene.GRAVITY);
         scene.floor(distance + 4, distance + 4, friction, 0);
-        Box shape = Box.ofHalfExtents(HALF, HALF_HEIGHT, HALF);
+        Box shape = Box.ofHalfExtents(scene.get("length") / 2, HALF_HEIGHT, HALF);
         List<BodyRef> blocks = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             double angle = 2 * StrictMath.PI * i / count;
