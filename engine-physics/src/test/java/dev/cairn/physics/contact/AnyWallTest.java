@@ -41,6 +41,15 @@ class AnyWallTest {
         search(1, 250);
     }
 
+    /**
+     * A body of two parts that make one shape, against tiles of 2 mm: one part's middle was beyond
+     * them, the other's before, and the two were held off on opposite sides.
+     */
+    @Test
+    void noPartOfAWholePasses() {
+        search(501_429, 1);
+    }
+
     @Test
     @Tag("soak")
     void nobodyPassesAWallForLong() {
