@@ -74,7 +74,7 @@ public final class SweepStage {
     private final BoundsStage bounds;
     private final EdgeSource[] edges;
     private final PointStore points;
-    private final CentreGuard guard;
+    private final TunnellingGuard guard;
 
     /** By active row. */
     private byte[] state = {};
@@ -124,7 +124,7 @@ public final class SweepStage {
         this.bounds = bounds;
         this.edges = edges;
         points = new PointStore(colliders);
-        guard = new CentreGuard(colliders, contacts, bounds, edges);
+        guard = new TunnellingGuard(colliders, contacts, bounds, edges);
     }
 
     /**

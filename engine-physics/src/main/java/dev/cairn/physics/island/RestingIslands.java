@@ -15,7 +15,7 @@ final class RestingIslands {
 
     private static final int NONE = -1;
 
-    private final RestDetector quiet;
+    private final RestDetector detector;
     private final BodyStore bodies;
     private final EdgeSource[] edges;
     private final Islands islands = new Islands();
@@ -35,8 +35,8 @@ final class RestingIslands {
     /** The first of it that lies down. */
     private int[] head = {};
 
-    RestingIslands(RestDetector quiet, BodyStore bodies, EdgeSource... edges) {
-        this.quiet = quiet;
+    RestingIslands(RestDetector detector, BodyStore bodies, EdgeSource... edges) {
+        this.detector = detector;
         this.bodies = bodies;
         this.edges = edges;
     }
@@ -89,7 +89,7 @@ final class RestingIslands {
         if (restless[root]
                 || (isHeap[root] && size[root] == 1)
                 || movers[root] > Math.max(1, size[root] / MOVERS)
-                || (movers[root] > 0 && !quiet.isStill(s))) {
+                || (movers[root] > 0 && !detector.isStill(s))) {
             return false;
         }
         if (head[root] == NONE) {
@@ -118,15 +118,15 @@ final class RestingIslands {
     private void classify(int s) {
         int root = islands.root(s);
         size[root]++;
-        if (quiet.rests[s] && (islands.touched(s) || still(s))) {
+        if (detector.rests[s] && (islands.touched(s) || still(s))) {
             return;
         }
         isHeap[root] = true;
-        if (quiet.isStill(s)) {
+        if (detector.isStill(s)) {
             return;
         }
         movers[root]++;
-        restless[root] |= !quiet.maySleep[s];
+        restless[root] |= !detector.maySleep[s];
     }
 
     /**
@@ -143,7 +143,7 @@ final class RestingIslands {
     }
 
     private void bind(int s) {
-        if (bodies.kind[s] == BodyStore.DYNAMIC && !quiet.rests[s] && !quiet.isStill(s)) {
+        if (bodies.kind[s] == BodyStore.DYNAMIC && !detector.rests[s] && !detector.isStill(s)) {
             restless[islands.root(s)] = true;
         }
     }

@@ -88,7 +88,7 @@ public final class ContactSolver {
     /** Of the batches that one worker has alone. */
     private int kind;
 
-    private Workbench[] benches = {};
+    private WorkerScratch[] benches = {};
 
     /**
      * A solver; one per world.
@@ -243,7 +243,7 @@ public final class ContactSolver {
     /** The whole tick of a batch: its rows stay in the cache, and nobody waits. */
     private void batch(int block, int worker) {
         Passes p = passes[kind];
-        Workbench own = benches[worker];
+        WorkerScratch own = benches[worker];
         int b = batches.alone(kind) + block;
         if (batches.isSwinging(b)) {
             p.swing(sub, b, batches.firstBody[b], batches.firstBody[b + 1], own);
@@ -389,9 +389,9 @@ public final class ContactSolver {
 
     private void ensureBenches(int workers) {
         if (benches.length < workers) {
-            benches = new Workbench[workers];
+            benches = new WorkerScratch[workers];
             for (int i = 0; i < workers; i++) {
-                benches[i] = new Workbench();
+                benches[i] = new WorkerScratch();
             }
         }
     }

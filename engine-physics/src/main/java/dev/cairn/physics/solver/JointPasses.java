@@ -3,7 +3,7 @@ package dev.cairn.physics.solver;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.joint.Assembly;
-import dev.cairn.physics.solver.joint.Swing;
+import dev.cairn.physics.solver.joint.AssemblyFlight;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.SubStep;
@@ -37,7 +37,7 @@ final class JointPasses {
     }
 
     /** The begin of a tick, before impacts. */
-    void meet(SubStep sub, int from, int to, Workbench bench) {
+    void meet(SubStep sub, int from, int to, WorkerScratch bench) {
         for (int a = from; a < to; a++) {
             open(sub, a, bench);
             bench.joints.begin(sub);
@@ -50,7 +50,7 @@ final class JointPasses {
      * @param index of the sub-step
      * @param from first assembly
      */
-    void begin(SubStep sub, int index, int from, int to, Workbench bench) {
+    void begin(SubStep sub, int index, int from, int to, WorkerScratch bench) {
         for (int a = from; a < to; a++) {
             open(sub, a, bench);
             bench.joints.account(sub);
@@ -61,7 +61,7 @@ final class JointPasses {
     }
 
     /** Closes joints at the end of the bias pass. */
-    void close(SubStep sub, int from, int to, Workbench bench) {
+    void close(SubStep sub, int from, int to, WorkerScratch bench) {
         for (int a = from; a < to; a++) {
             takeOver(assemblies.at(a));
             open(sub, a, bench);
@@ -79,13 +79,13 @@ final class JointPasses {
     /** After the drift: bodies of taut joints come to where smaller steps have led. */
     void place(int from, int to) {
         for (int a = from; a < to; a++) {
-            Swing.place(tick, assemblies.at(a));
+            AssemblyFlight.place(tick, assemblies.at(a));
             show(assemblies.at(a));
         }
     }
 
     /** Gives joints the derivatives of the new poses. */
-    void turn(SubStep sub, int from, int to, Workbench bench) {
+    void turn(SubStep sub, int from, int to, WorkerScratch bench) {
         for (int a = from; a < to; a++) {
             open(sub, a, bench);
             bench.joints.turn(refresh);
@@ -97,7 +97,7 @@ final class JointPasses {
     }
 
     /** Stops what joints do not allow, at the end of the relax pass. */
-    void stop(SubStep sub, int from, int to, Workbench bench) {
+    void stop(SubStep sub, int from, int to, WorkerScratch bench) {
         for (int a = from; a < to; a++) {
             takeOver(assemblies.at(a));
             open(sub, a, bench);
@@ -108,7 +108,7 @@ final class JointPasses {
         }
     }
 
-    private void open(SubStep sub, int a, Workbench bench) {
+    private void open(SubStep sub, int a, WorkerScratch bench) {
         bench.joints.open(tick, sub, assemblies.store, assemblies.at(a));
     }
 

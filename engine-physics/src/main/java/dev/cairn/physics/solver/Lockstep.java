@@ -57,7 +57,7 @@ final class Lockstep {
     private final BlockJob relaxWithin = this::relaxWithin;
 
     private Sweeps chosen;
-    private Workbench[] benches = {};
+    private WorkerScratch[] benches = {};
     private boolean renews;
     private boolean settles;
     private boolean rides;
@@ -121,7 +121,7 @@ final class Lockstep {
             Sweeps chosen,
             boolean settles,
             boolean rides,
-            Workbench[] benches,
+            WorkerScratch[] benches,
             Jobs jobs) {
         this.pace = pace;
         this.chosen = chosen;
@@ -285,7 +285,7 @@ final class Lockstep {
             return;
         }
         Passes p = passes;
-        Workbench own = benches[worker];
+        WorkerScratch own = benches[worker];
         // to and fro: the domains of the end of the last pass are still in the third cache
         int domain = substep % 2 == 0 ? block : domains - 1 - block;
         int b = base + 1 + domain;

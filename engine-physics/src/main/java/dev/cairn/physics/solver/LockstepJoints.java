@@ -20,7 +20,7 @@ final class LockstepJoints {
     private final BlockJob stop = this::stop;
 
     private SubStep pace = new SubStep();
-    private Workbench[] benches = {};
+    private WorkerScratch[] benches = {};
     private int first;
     private int count;
     private int substep;
@@ -37,7 +37,7 @@ final class LockstepJoints {
      * @param pace the sub-steps
      * @param benches by worker
      */
-    void of(int from, int to, SubStep pace, Workbench[] benches) {
+    void of(int from, int to, SubStep pace, WorkerScratch[] benches) {
         this.pace = pace;
         this.benches = benches;
         first = passes.assemblies.first(from);

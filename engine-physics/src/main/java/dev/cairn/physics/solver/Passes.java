@@ -8,7 +8,7 @@ import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.direct.DirectIslands;
 import dev.cairn.physics.solver.graph.Batches;
-import dev.cairn.physics.solver.graph.Bouncers;
+import dev.cairn.physics.solver.graph.BouncingContacts;
 import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.kernel.Rescaling;
@@ -16,7 +16,7 @@ import dev.cairn.physics.solver.kernel.ScalarPasses;
 import dev.cairn.physics.solver.kernel.ScalarSweep;
 import dev.cairn.physics.solver.kernel.SingleScalarSweep;
 import dev.cairn.physics.solver.kernel.Sweeps;
-import dev.cairn.physics.solver.load.Riders;
+import dev.cairn.physics.solver.load.CarriedIslands;
 import dev.cairn.physics.solver.load.SingleStartSweep;
 import dev.cairn.physics.solver.load.StartPass;
 import dev.cairn.physics.solver.load.StartSweep;
@@ -50,9 +50,9 @@ final class Passes {
 
     private final StartPass starts;
     private final StaticStart start;
-    private final Riders riders;
+    private final CarriedIslands riders;
     final DirectIslands direct;
-    final Bouncers bouncers;
+    final BouncingContacts bouncers;
     final Assemblies assemblies;
     final JointPasses joints;
     private final DrivenSides sides;
@@ -68,7 +68,7 @@ final class Passes {
     Passes(
             SolverContext tick,
             ConstraintRows rows,
-            Bouncers bouncers,
+            BouncingContacts bouncers,
             DrivenSides sides,
             Supports supports,
             Assemblies assemblies) {
@@ -118,7 +118,7 @@ final class Passes {
      *
      * @param kind of constraint; 0 is contact
      */
-    void prepare(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+    void prepare(int kind, Sweeps sweeps, SubStep sub, int from, int to, WorkerScratch bench) {
         if (kind > 0) {
             kinds(kind).prepare(tick, sub, from, to);
             return;
@@ -163,7 +163,7 @@ final class Passes {
      *
      * @param index of the sub-step
      */
-    void kick(SubStep sub, int index, int from, int to, Workbench bench) {
+    void kick(SubStep sub, int index, int from, int to, WorkerScratch bench) {
         double[] g = tick.gravity;
         double gain = tick.weight() * sub.seconds;
         for (int k = from; k < to; k++) {
@@ -196,7 +196,7 @@ final class Passes {
     }
 
     /** Corrects the warm start of rows that have lost a load, or know of none yet. */
-    void settle(SubStep sub, int from, int to, Workbench bench) {
+    void settle(SubStep sub, int from, int to, WorkerScratch bench) {
         if (start.found) {
             starts.start(rows, body, tick.contacts, sub, 0, start, from, to, bench.scratch);
             refresh.know(rows, tick.contacts, from, to);
@@ -212,12 +212,12 @@ final class Passes {
     }
 
     /** Puts what rides on what speeds up in balance with the load of a sub-step. */
-    void ride(SubStep sub, int index, int from, int to, Workbench bench) {
+    void ride(SubStep sub, int index, int from, int to, WorkerScratch bench) {
         starts.start(rows, body, tick.contacts, sub, index, riders, from, to, bench.scratch);
         refresh.know(rows, tick.contacts, from, to);
     }
 
-    void bias(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+    void bias(int kind, Sweeps sweeps, SubStep sub, int from, int to, WorkerScratch bench) {
         if (kind > 0) {
             kinds(kind).bias(tick, sub, from, to, bench.scratch);
             return;
@@ -260,7 +260,7 @@ final class Passes {
     }
 
     /** Friction of a batch on kinematic bodies, before its bodies move. */
-    void carry(SubStep sub, int batch, Workbench bench) {
+    void carry(SubStep sub, int batch, WorkerScratch bench) {
         for (int k = sides.from(batch); k < sides.from(batch + 1); k++) {
             int m = sides.edge(k);
             if (m < rows.list.contacts) {
@@ -288,7 +288,7 @@ final class Passes {
         }
     }
 
-    void takeOut(int from, int to, Workbench bench) {
+    void takeOut(int from, int to, WorkerScratch bench) {
         if (rows.drags.isUsed) {
             rows.drags.show(rows, from, to);
         }
@@ -309,14 +309,14 @@ final class Passes {
      *
      * @param index of the sub-step; the first one scales what the contacts know
      */
-    void renewRows(SubStep sub, int index, int from, int to, Workbench bench) {
+    void renewRows(SubStep sub, int index, int from, int to, WorkerScratch bench) {
         refresh.rows(rows, body, tick.contacts, sub, index, from, to, bench.renew);
         if (rows.drags.isUsed) {
             rows.drags.hide(rows, from, to);
         }
     }
 
-    void relax(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+    void relax(int kind, Sweeps sweeps, SubStep sub, int from, int to, WorkerScratch bench) {
         if (kind > 0) {
             kinds(kind).relax(tick, sub, from, to, bench.scratch);
             return;
@@ -341,7 +341,7 @@ final class Passes {
      *
      * @param index among those of the batch
      */
-    void direct(SubStep sub, int batch, int index, boolean soft, Workbench bench) {
+    void direct(SubStep sub, int batch, int index, boolean soft, WorkerScratch bench) {
         DirectIslands islands = direct;
         int island = islands.open(batch, index);
         boolean renewed = false;
@@ -361,7 +361,7 @@ final class Passes {
     }
 
     /** The whole tick of a batch of assemblies that touch nothing. */
-    void swing(SubStep sub, int batch, int from, int to, Workbench bench) {
+    void swing(SubStep sub, int batch, int from, int to, WorkerScratch bench) {
         for (int a = assemblies.first(batch); a < assemblies.first(batch + 1); a++) {
             bench.swing.run(tick, sub, assemblies.store, assemblies.at(a));
         }
@@ -369,7 +369,7 @@ final class Passes {
     }
 
     /** What the contacts of such an island have learnt of their loads. */
-    void learn(SubStep sub, int batch, int index, Workbench bench) {
+    void learn(SubStep sub, int batch, int index, WorkerScratch bench) {
         if (tick.settings.get(Tunable.OFFSET_GAIN) > 0) {
             bench.direct.learn(tick, rows, sub, direct, direct.open(batch, index));
         }
@@ -400,7 +400,7 @@ final class Passes {
      * @param head first body of the batch
      * @param from first place of its contacts
      */
-    void impacts(SubStep sub, int batch, int head, int tail, int from, int to, Workbench bench) {
+    void impacts(SubStep sub, int batch, int head, int tail, int from, int to, WorkerScratch bench) {
         for (int k = head; k < tail; k++) {
             body.impactTime[tick.order[k]] = 0;
             body.shifted[tick.order[k]] = false;
@@ -420,7 +420,7 @@ final class Passes {
         }
     }
 
-    void finish(SubStep sub, int from, int to, Workbench bench) {
+    void finish(SubStep sub, int from, int to, WorkerScratch bench) {
         double gain = tick.weight() * sub.seconds;
         for (int k = from; k < to; k++) {
             int i = tick.order[k];
@@ -456,7 +456,7 @@ final class Passes {
     }
 
     /** Writes the impulses of contacts back, and tells their bodies what presses on them. */
-    void storeRows(Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, Workbench bench) {
+    void storeRows(Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, WorkerScratch bench) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
             bench.scratch.doubles[Scratch.PACKED] =

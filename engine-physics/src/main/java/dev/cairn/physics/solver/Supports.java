@@ -9,7 +9,7 @@ import dev.cairn.physics.solver.direct.DirectIslands;
 import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Collector;
 import dev.cairn.physics.solver.load.LoadSweep;
-import dev.cairn.physics.solver.load.Riders;
+import dev.cairn.physics.solver.load.CarriedIslands;
 import dev.cairn.physics.solver.load.StaticStart;
 import dev.cairn.physics.solver.load.Unloading;
 import dev.cairn.physics.solver.row.EdgeList;
@@ -33,7 +33,7 @@ final class Supports {
     final StaticStart start = new StaticStart();
 
     /** Bodies on what speeds up. */
-    final Riders riders = new Riders();
+    final CarriedIslands riders = new CarriedIslands();
 
     /** Islands that are solved directly. */
     final DirectIslands direct = new DirectIslands();
@@ -64,7 +64,7 @@ final class Supports {
             SolverContext tick,
             boolean stacked,
             double softSeconds,
-            Workbench[] benches,
+            WorkerScratch[] benches,
             Jobs jobs) {
         settles =
                 tick.settings.count(Tunable.UNLOAD_SWEEPS) > 0
@@ -139,7 +139,7 @@ final class Supports {
                                 same, jobs);
     }
 
-    private void findDirect(SolverContext t, double softSeconds, Workbench[] benches) {
+    private void findDirect(SolverContext t, double softSeconds, WorkerScratch[] benches) {
         int from = t.settings.count(Tunable.DIRECT_FROM);
         if (from > 0) {
             direct.update(
@@ -149,7 +149,7 @@ final class Supports {
                     t.loaded ? from : Integer.MAX_VALUE,
                     t.weight() * softSeconds * softSeconds,
                     collector.isSame());
-            for (Workbench bench : benches) {
+            for (WorkerScratch bench : benches) {
                 bench.direct.reserve(direct);
             }
         }

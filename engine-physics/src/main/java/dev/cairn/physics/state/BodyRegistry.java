@@ -304,7 +304,7 @@ public final class BodyRegistry implements Stateful {
 
     /** Makes the lists anew if somebody came, went, woke or fell asleep. */
     public void refreshLists() {
-        boolean slept = sleepers.takeRostersStale();
+        boolean slept = sleepers.takeListsStale();
         if (listsStale || slept) {
             rebuildLists();
         }

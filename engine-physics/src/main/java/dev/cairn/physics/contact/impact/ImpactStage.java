@@ -36,9 +36,9 @@ public final class ImpactStage {
     private final ImpactQueue queue = new ImpactQueue();
     private final Impact impact = new Impact();
     private final MovingPair pair;
-    private final Struck bodies;
-    private final Followed followed;
-    private final Ahead ahead;
+    private final StruckBodies bodies;
+    private final TrackedBodies followed;
+    private final ImpactSearch ahead;
 
     /** The material of two colliders that have no row. */
     private final ContactStore mixed = new ContactStore();
@@ -46,7 +46,7 @@ public final class ImpactStage {
     /** Orientation and angular velocity of a body. */
     private final double[] state = new double[7];
 
-    private final Outcome outcome;
+    private final ImpactResults outcome;
 
     /** Meetings of one time: two colliders and their row. */
     private int[] taken = new int[192];
@@ -68,10 +68,10 @@ public final class ImpactStage {
         this.colliders = colliders;
         this.contacts = contacts;
         this.pair = pair;
-        outcome = new Outcome(colliders, contacts);
-        bodies = new Struck(colliders, contacts);
-        followed = new Followed(colliders, contacts, bodies, pair, queue);
-        ahead = new Ahead(colliders, bodies, pair, queue);
+        outcome = new ImpactResults(colliders, contacts);
+        bodies = new StruckBodies(colliders, contacts);
+        followed = new TrackedBodies(colliders, contacts, bodies, pair, queue);
+        ahead = new ImpactSearch(colliders, bodies, pair, queue);
     }
 
     /**

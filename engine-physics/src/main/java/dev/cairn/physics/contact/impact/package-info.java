@@ -20,7 +20,7 @@
  * the solver, with the contact of that moment.
  *
  * <p>Invariants: impacts are struck in the order of their times, then of colliders, on one thread;
- * a impact changes no momentum and adds no energy. A tick in which nothing fast meets does not come
+ * an impact changes no momentum and adds no energy. A tick in which nothing fast meets does not come
  * here.
  *
  * <p>Source: B. Mirtich, "Timewarp rigid body simulation" (SIGGRAPH 2000), for the order of events.

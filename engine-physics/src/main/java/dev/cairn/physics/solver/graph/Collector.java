@@ -39,7 +39,7 @@ public final class Collector implements Stateful {
     public final Assemblies assemblies;
 
     /** Those of this tick. */
-    public final Bouncers bouncers = new Bouncers();
+    public final BouncingContacts bouncers = new BouncingContacts();
 
     /** By edge: whether it had no impulse at the end of the last tick; whether it bounces. */
     private boolean[] cold = {};

@@ -166,7 +166,7 @@ abstract class AssemblyEquations {
 
     /** A motor that is not at its most keeps its speed. */
     double slack(int k, int r) {
-        boolean isHard = s.rough == 0 && !isClosing;
+        boolean isHard = s.approximateSteps == 0 && !isClosing;
         return isHard || store.role[row(k, r)] >= JointStore.MOTOR ? SLACK : SOFT;
     }
 

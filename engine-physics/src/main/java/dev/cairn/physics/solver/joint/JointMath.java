@@ -48,7 +48,7 @@ public final class JointMath {
 
     final double[] placeB = new double[3];
     private final Gearing gearing = new Gearing();
-    private final Railing railing = new Railing();
+    private final CurveRows railing = new CurveRows();
 
     /** Frame of B in that of A. */
     private final double[] q = new double[4];

@@ -375,7 +375,7 @@ final class NetSolve {
         }
     }
 
-    /** Closes what is open by moving bodies, without any speed; see {@link GapClosing}. */
+    /** Closes what is open by moving bodies, without any speed; see {@link PositionCorrection}. */
     private void close(double h) {
         double reach = push * Math.abs(h);
         double worst = 0;
@@ -408,8 +408,8 @@ final class NetSolve {
         for (int n = 0; n < s.body.length; n++) {
             double way = SolverBodies.norm(x[3 * n], x[3 * n + 1], x[3 * n + 2]);
             double angle = SolverBodies.norm(t[3 * n], t[3 * n + 1], t[3 * n + 2]);
-            part = GapClosing.cut(part, way, reach);
-            part = GapClosing.cut(part, angle, turn);
+            part = PositionCorrection.cut(part, way, reach);
+            part = PositionCorrection.cut(part, angle, turn);
         }
         double[] v = tick.body.state;
         for (int n = 0; n < s.body.length; n++) {

@@ -139,7 +139,7 @@ abstract class VelocityHalf extends JointWork {
     }
 
     /**
-     * What limits passed on of a blow is no first guess for the next sub-step: a stop that caught a
+     * What limits passed on of an impact is no first guess for the next sub-step: a stop that caught a
      * car would throw it up. Locks are equations, which take a wrong guess back.
      *
      * @param share of what has come to them in the sub-step that may be a load

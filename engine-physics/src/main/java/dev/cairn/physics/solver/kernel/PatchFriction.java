@@ -66,7 +66,7 @@ public final class PatchFriction {
 
     /**
      * A contact whose friction starts with more than four times what its normals now allow,
-     * squared, has the warm start of a blow. What it loses of it pushes the bodies along the normal
+     * squared, has the warm start of an impact. What it loses of it pushes the bodies along the normal
      * too, so that the two have to agree anew, as in a contact that begins: else a cluster of boxes
      * gained energy.
      */

@@ -74,7 +74,7 @@ public final class JacobianRefresh {
     /** By slot: whether a row of the body is renewed. */
     private boolean[] stirred = {};
 
-    /** By slot: whether the body turns since a blow within the tick; its rows do not know. */
+    /** By slot: whether the body turns since an impact within the tick; its rows do not know. */
     private boolean[] struck = {};
 
     public void ensureCapacity(int slots) {
@@ -256,7 +256,7 @@ public final class JacobianRefresh {
 
     /**
      * Gives a body that turns the root of its present inertia; blocks of bodies. Who did not when
-     * the tick began does from here on if a blow has turned him by far in this sub-step.
+     * the tick began does from here on if an impact has turned him by far in this sub-step.
      *
      * @param seconds length of the sub-step, s
      */

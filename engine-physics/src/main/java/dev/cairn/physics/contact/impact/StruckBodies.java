@@ -10,7 +10,7 @@ import dev.cairn.physics.sweep.Flight;
 import java.util.Arrays;
 
 /** Bodies in a tick with impacts: who may be struck, who was, and the rows of each. */
-final class Struck {
+final class StruckBodies {
     private final ColliderStore colliders;
     private final ContactStore contacts;
 
@@ -45,7 +45,7 @@ final class Struck {
     int markedCount;
     private boolean[] isMarked = {};
 
-    Struck(ColliderStore colliders, ContactStore contacts) {
+    StruckBodies(ColliderStore colliders, ContactStore contacts) {
         this.colliders = colliders;
         this.contacts = contacts;
     }

@@ -7,9 +7,9 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 
 /** Whom a body that was struck meets in the rest of the tick: through the trees, into the queue. */
-final class Ahead {
+final class ImpactSearch {
     private final ColliderStore colliders;
-    private final Struck bodies;
+    private final StruckBodies bodies;
     private final MovingPair pair;
     private final ImpactQueue queue;
     private final RayTraversal walk = new RayTraversal();
@@ -20,7 +20,7 @@ final class Ahead {
     private double[] start = {};
     private double step;
 
-    Ahead(ColliderStore colliders, Struck bodies, MovingPair pair, ImpactQueue queue) {
+    ImpactSearch(ColliderStore colliders, StruckBodies bodies, MovingPair pair, ImpactQueue queue) {
         this.colliders = colliders;
         this.bodies = bodies;
         this.pair = pair;

@@ -24,7 +24,7 @@ import java.util.Arrays;
  *
  * <p>Simulation thread; allocates only when something grows.
  */
-public final class Halt {
+public final class Depenetration {
     private final ColliderStore colliders;
     private final EdgeSource[] edges;
     private final double[] own = new double[3];
@@ -51,7 +51,7 @@ public final class Halt {
      * @param colliders whose bodies these are
      * @param edges all that binds bodies, contacts first
      */
-    public Halt(ColliderStore colliders, EdgeSource[] edges) {
+    public Depenetration(ColliderStore colliders, EdgeSource[] edges) {
         this.colliders = colliders;
         this.edges = edges;
     }

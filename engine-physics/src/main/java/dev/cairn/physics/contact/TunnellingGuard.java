@@ -6,7 +6,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.AabbTree;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.RayTraversal;
-import dev.cairn.physics.contact.impact.Halt;
+import dev.cairn.physics.contact.impact.Depenetration;
 import dev.cairn.physics.contact.impact.ImpactStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -42,7 +42,7 @@ import org.jspecify.annotations.Nullable;
  * dev.cairn.physics.collider.ContactHook} lets through is let through: while there is one, only
  * rows that were solved are looked at.
  */
-final class CentreGuard {
+final class TunnellingGuard {
     private static final int BODIES_PER_BLOCK = 256;
     private static final int ROWS_PER_BLOCK = 512;
 
@@ -60,14 +60,14 @@ final class CentreGuard {
     private final ColliderStore colliders;
     private final ContactStore contacts;
     private final BoundsStage bounds;
-    private final Halt halt;
+    private final Depenetration halt;
     private final RayTraversal walk = new RayTraversal();
     private final ShapeQueries queries = new ShapeQueries();
     private final Placement surface = new Placement();
     private final Hit hit = new Hit();
     private final double[] box = new double[6];
     private final double[] start = new double[3];
-    private final TurningView view;
+    private final RotatingFrame view;
 
     private double[][] scratch = {};
     private int[] dynamic = {};
@@ -81,7 +81,7 @@ final class CentreGuard {
     /** By block of bodies: how many are fast; by block of rows: how many are looked at. */
     private int[] fastCount = {}, rowCount = {};
 
-    CentreGuard(
+    TunnellingGuard(
             ColliderStore colliders,
             ContactStore contacts,
             BoundsStage bounds,
@@ -89,8 +89,8 @@ final class CentreGuard {
         this.colliders = colliders;
         this.contacts = contacts;
         this.bounds = bounds;
-        halt = new Halt(colliders, edges);
-        view = new TurningView(colliders, bounds);
+        halt = new Depenetration(colliders, edges);
+        view = new RotatingFrame(colliders, bounds);
     }
 
     /**

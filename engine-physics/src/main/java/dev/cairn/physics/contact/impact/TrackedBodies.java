@@ -4,20 +4,20 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 
 /** Bodies that are followed through a tick with impacts, since they hang together by contacts. */
-final class Followed {
+final class TrackedBodies {
     private final ColliderStore colliders;
     private final ContactStore contacts;
-    private final Struck bodies;
+    private final StruckBodies bodies;
     private final MovingPair pair;
     private final ImpactQueue queue;
 
     /** By row: it is in the queue, or was looked at. */
     private boolean[] seen = {};
 
-    Followed(
+    TrackedBodies(
             ColliderStore colliders,
             ContactStore contacts,
-            Struck bodies,
+            StruckBodies bodies,
             MovingPair pair,
             ImpactQueue queue) {
         this.colliders = colliders;

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * Where something was, as seen from a body that has turned within the tick: as it would lie now if
  * it had turned with the body. Simulation thread; allocates nothing.
  */
-final class TurningView {
+final class RotatingFrame {
     /** Of one who answers, rad: beyond, the chord does not tell where one was seen from it. */
     private static final double TURN = 1;
 
@@ -22,7 +22,7 @@ final class TurningView {
     private final BoundsStage bounds;
     private final double[] turned = new double[4];
 
-    TurningView(ColliderStore colliders, BoundsStage bounds) {
+    RotatingFrame(ColliderStore colliders, BoundsStage bounds) {
         this.colliders = colliders;
         this.bounds = bounds;
     }
@@ -66,7 +66,7 @@ final class TurningView {
             }
             System.arraycopy(bounds.began, BoundsStage.POSE * body + 3, q, 0, 4);
         }
-        // who turns slowly now may have turned fast before a blow within the tick
+        // who turns slowly now may have turned fast before an impact within the tick
         if (isDynamic && !(Math.abs(cosHalfTurn(q, body)) > COS_HALF_TURN)) {
             return false;
         }

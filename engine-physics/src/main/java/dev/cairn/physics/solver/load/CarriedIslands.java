@@ -24,7 +24,7 @@ import java.util.Arrays;
  * <p>Found by the simulation thread; an island is swept by the worker that has its batch. Allocates
  * only when a store has grown. Source: own study.
  */
-public final class Riders extends StaticStart {
+public final class CarriedIslands extends StaticStart {
     /**
      * Contacts of an island times sweeps in a sub-step, at most; the island's own, so that who
      * rides elsewhere does not matter.
@@ -52,7 +52,7 @@ public final class Riders extends StaticStart {
     private double[] old = {};
 
     /** What is left is gone in the next sub-step. */
-    public Riders() {
+    public CarriedIslands() {
         agrees = 1e-10;
     }
 
