@@ -230,7 +230,7 @@ public abstract sealed class WorldReadings permits PhysicsWorld {
         requireOpen(call);
         if (stepping || physics.isRunning()) {
             throw new IllegalStateException(
-                    call + " was called during a step; call it between steps, when nobody moves");
+                    call + " was called during a step; call it between steps, when no body moves");
         }
     }
 

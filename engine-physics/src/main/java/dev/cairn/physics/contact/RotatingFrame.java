@@ -12,7 +12,10 @@ import org.jspecify.annotations.Nullable;
  * it had turned with the body. Simulation thread; allocates nothing.
  */
 final class RotatingFrame {
-    /** Of one who answers, rad: beyond, the chord does not tell where one was seen from it. */
+    /**
+     * Of a body that contacts can move, rad: beyond, the chord does not tell where one was seen
+     * from it.
+     */
     private static final double TURN = 1;
 
     /** cos(TURN / 2). */
@@ -38,7 +41,7 @@ final class RotatingFrame {
      * @param body slot of the body that is looked from
      * @param from share of the tick from which on it turns
      * @param step of the tick, s
-     * @param impacts who was struck within the tick
+     * @param impacts the bodies that were struck within the tick
      * @param seen from the body's centre to the point, world axes, m; turned
      * @return false if the body turns too far
      */
@@ -66,7 +69,7 @@ final class RotatingFrame {
             }
             System.arraycopy(bounds.began, BoundsStage.POSE * body + 3, q, 0, 4);
         }
-        // who turns slowly now may have turned fast before an impact within the tick
+        // a body that turns slowly now may have turned fast before an impact within the tick
         if (isDynamic && !(Math.abs(cosHalfTurn(q, body)) > COS_HALF_TURN)) {
             return false;
         }

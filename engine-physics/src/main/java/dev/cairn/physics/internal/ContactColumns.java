@@ -104,7 +104,7 @@ public class ContactColumns {
      */
     public double[] belt = {};
 
-    /** Whether somebody wants hits; until then nothing is in {@link #approach}. */
+    /** Whether hits are listened to; until then nothing is in {@link #approach}. */
     public boolean hits;
 
     /** How fast the two approached before they touched, m/s. */

@@ -20,10 +20,10 @@ final class RestingIslands {
     private final EdgeSource[] edges;
     private final Islands islands = new Islands();
 
-    /** Of the island of a root: whether somebody in it forbids that it sleeps. */
+    /** Of the island of a root: whether a body in it forbids that it sleeps. */
     private boolean[] restless = {};
 
-    /** Whether somebody in it is not at rest by himself. */
+    /** Whether a body in it is not at rest by itself. */
     private boolean[] isHeap = {};
 
     /** How many in it are not even still. */
@@ -148,7 +148,7 @@ final class RestingIslands {
         }
     }
 
-    /** Who touches somebody asleep is among others, too. */
+    /** A body that touches a sleeping one counts as one among others, too. */
     private void countSleepers() {
         byte[] kind = bodies.kind;
         EdgeSource contacts = edges[0];

@@ -8,7 +8,7 @@ import dev.cairn.physics.internal.EdgeSource;
 import java.util.Arrays;
 
 /**
- * Who sleeps: puts islands to sleep, wakes them, and tells what changed in a tick.
+ * Which bodies sleep: puts islands to sleep, wakes them, and tells what changed in a tick.
  *
  * <p>Simulation thread; allocates only when slots are added.
  */
@@ -97,8 +97,8 @@ public final class Sleepers {
     }
 
     /**
-     * Who sleeps, and since when; slots have room already. Changes are counted on, so that nobody
-     * takes another state for the one that he has seen.
+     * Which bodies sleep, and since when; slots have room already. Changes are counted on, so that
+     * no reader takes another state for the one that it has seen.
      *
      * @param slots in use
      */
@@ -310,7 +310,7 @@ public final class Sleepers {
         } while (s != slot);
     }
 
-    /** Wakes who hangs on a body that is awake by another edge than a contact. */
+    /** Wakes bodies that are bound to one that is awake by another edge than a contact. */
     public void wakeLinked() {
         int before;
         do {

@@ -2,8 +2,8 @@ package dev.cairn.physics.solver;
 
 import dev.cairn.physics.solver.direct.DirectSolve;
 import dev.cairn.physics.solver.impact.Impacts;
-import dev.cairn.physics.solver.joint.JointSolve;
 import dev.cairn.physics.solver.joint.AssemblyFlight;
+import dev.cairn.physics.solver.joint.JointSolve;
 import dev.cairn.physics.solver.refresh.RefreshRow;
 import dev.cairn.physics.solver.row.Scratch;
 import dev.cairn.physics.solver.single.SingleBody;

@@ -4,8 +4,8 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
 /**
- * Who is between hammer and anvil: a body with contacts that press from opposite sides, by bodies
- * that nothing moves and that come nearer to each other.
+ * A body that is crushed: one with contacts that press from opposite sides, by bodies that nothing
+ * moves and that come nearer to each other.
  */
 public final class CrushDetector {
     /** Cosine between two normals that are opposite enough. */

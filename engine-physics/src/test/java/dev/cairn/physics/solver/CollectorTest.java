@@ -135,10 +135,10 @@ final class CollectorTest {
                     batches.count + 1,
                     where + ", first colour");
             for (int b = 0; b < batches.count; b++) {
-                BouncingContacts mine = collector.bouncers;
-                BouncingContacts theirs = other.collector.bouncers;
-                assertEquals(mine.from(b), theirs.from(b), where + ", bouncers");
-                assertEquals(mine.to(b), theirs.to(b), where + ", bouncers");
+                BouncingContacts mine = collector.bouncing;
+                BouncingContacts theirs = other.collector.bouncing;
+                assertEquals(mine.from(b), theirs.from(b), where + ", bouncing");
+                assertEquals(mine.to(b), theirs.to(b), where + ", bouncing");
                 for (int k = mine.from(b); k < mine.to(b); k++) {
                     assertEquals(mine.row[k], theirs.row[k], where + ", bouncer");
                 }

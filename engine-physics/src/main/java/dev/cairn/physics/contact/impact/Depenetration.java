@@ -19,8 +19,8 @@ import java.util.Arrays;
  *   dx = mB/(mA + mB) b  and  -mA/(mA + mB) b,      j = u / (1/mA + 1/mB + (r x n) . J (r x n))
  * </pre>
  *
- * so momentum stays. Who floats on joints is put back as a whole, so that no joint opens; who hangs
- * on what does not move goes where joints pull it.
+ * so momentum stays. An assembly that floats is put back as a whole, so that no joint opens; a body
+ * that joints bind to a fixed one goes where they pull it.
  *
  * <p>Simulation thread; allocates only when something grows.
  */
@@ -56,7 +56,7 @@ public final class Depenetration {
         this.edges = edges;
     }
 
-    /** Grows the columns with those of the bodies, also in ticks in which nobody is fast. */
+    /** Grows the columns with those of the bodies, also in ticks in which no body is fast. */
     public void ensureSlots() {
         if (tied.length < colliders.slotCount) {
             tied = new boolean[colliders.poses.positionX.length];
@@ -67,7 +67,7 @@ public final class Depenetration {
     }
 
     /**
-     * Finds who hangs on joints.
+     * Finds the bodies that have joints.
      *
      * @param bodies slots of the dynamic bodies that were moved
      * @param count how many there are

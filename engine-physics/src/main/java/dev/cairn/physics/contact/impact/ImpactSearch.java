@@ -6,7 +6,10 @@ import dev.cairn.physics.broadphase.RayTraversal;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 
-/** Whom a body that was struck meets in the rest of the tick: through the trees, into the queue. */
+/**
+ * Looks in the trees for the colliders that a struck body meets in the rest of the tick, and puts
+ * them into the queue.
+ */
 final class ImpactSearch {
     private final ColliderStore colliders;
     private final StruckBodies bodies;
@@ -33,7 +36,7 @@ final class ImpactSearch {
         step = stepSeconds;
     }
 
-    /** Looks for whom a body that was struck meets in the rest of the tick. */
+    /** Looks for what a body that was struck meets in the rest of the tick. */
     void follow(int body, double time) {
         BodyStore s = colliders.bodies;
         if (s.kind[body] != BodyStore.DYNAMIC || bodies.closed[body] || bodies.free[body] != 0) {
@@ -120,7 +123,7 @@ final class ImpactSearch {
         return x * x + y * y + z * z > reachOut * reachOut;
     }
 
-    /** Whether two have just struck each other: that is looked at by who calls. */
+    /** Whether two have just struck each other: that pair is looked at by the caller. */
     private boolean isPartner(int collider, int other) {
         return (collider == queue.a && other == queue.b)
                 || (collider == queue.b && other == queue.a);

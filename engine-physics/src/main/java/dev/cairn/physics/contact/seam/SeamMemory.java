@@ -74,7 +74,7 @@ final class SeamMemory {
         load = c.column("load", load, 4);
     }
 
-    /** Saves or restores what is of a tick; what is older nobody reads. */
+    /** Saves or restores what is of a tick; what is older is never read. */
     void state(StateVisitor s, long tick) {
         s.section("seamMemory", this);
         int known = 0;

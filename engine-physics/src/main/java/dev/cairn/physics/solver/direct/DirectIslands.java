@@ -101,7 +101,7 @@ public final class DirectIslands implements Stateful {
     /** Whether another state was restored, or room was made, since all was found. */
     private boolean renewed;
 
-    /** Who touches whom. */
+    /** Which bodies touch. */
     private int[] firstNeighbour = new int[1];
 
     private int[] neighbour = {};

@@ -388,7 +388,7 @@ public final class Impacts {
         shift(store, bodies, at, old, q, time);
     }
 
-    /** The same, for who keeps no time of impacts. */
+    /** The same, for callers that keep no time of impacts. */
     public static void shift(
             BodyStore store, SolverBodies bodies, int at, double[] old, int q, double time) {
         double[] body = bodies.state;

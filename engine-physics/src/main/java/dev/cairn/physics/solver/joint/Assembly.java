@@ -148,7 +148,7 @@ public final class Assembly {
     /** Whether {@link #derivative} is that of the present poses. */
     boolean isFresh;
 
-    /** Whether all rows are locks: who holds never changes. */
+    /** Whether all rows are locks: which rows hold never changes. */
     boolean isRigid = true;
 
     /** Whether joints close loops, by what does not move too: rows may depend on each other. */

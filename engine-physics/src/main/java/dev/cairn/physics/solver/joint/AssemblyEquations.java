@@ -128,7 +128,7 @@ abstract class AssemblyEquations {
         return sum;
     }
 
-    /** Makes the factors, if rows or who holds have changed. */
+    /** Makes the factors, if rows, or which of them hold, have changed. */
     void factor(boolean moves) {
         boolean same = s.isFactored;
         for (int k = 0; k < s.joint.length; k++) {

@@ -101,10 +101,10 @@ abstract class ContactCoupling extends PositionCorrection {
     }
 
     /**
-     * Takes what was given here out of the next warm start, at the end of a sub-step. It was an impact
-     * or is still to be found by the sweeps; given again as if it were a load, it would throw the
-     * assembly off. So would the friction of an impact, which stopped a wheel that spun: it is left
-     * what the normal impulses that stay allow.
+     * Takes what was given here out of the next warm start, at the end of a sub-step. It was an
+     * impact or is still to be found by the sweeps; given again as if it were a load, it would
+     * throw the assembly off. So would the friction of an impact, which stopped a wheel that spun:
+     * it is left what the normal impulses that stay allow.
      *
      * @return share of what was given here that may be a load: no more than the assembly weighs
      */

@@ -172,7 +172,7 @@ public final class JointSolve extends PositionTrial {
 
     /**
      * Begin of a tick: bodies may be elsewhere, and weigh otherwise. Before impacts, which shift
-     * who is struck by what he would have moved until then: that is no gap.
+     * struck bodies by the way that they would have gone until then: that is no gap.
      */
     public void begin(SubStep sub) {
         choose();
@@ -293,7 +293,7 @@ public final class JointSolve extends PositionTrial {
             boolean changed = !s.isRigid && asks && hold(round, last);
             asks = s.isRigid || !changed || !isFirm();
             if (!asks) {
-                // who is tried next has as many rounds as the first
+                // the rows that are tried next have as many rounds as the first
                 again();
                 rounds = round + 1 + each;
                 last = Double.POSITIVE_INFINITY;

@@ -164,8 +164,8 @@ final class NetSolve {
      * The position half of a step of what touches nothing ends. What its velocity half would take
      * from the velocities the position half of the next step takes, too, as both push along {@code
      * J(x')^T}: all positions are the same without it (RATTLE's are SHAKE's). So it is left out
-     * where nobody sees the velocities, but in nets that whip, which two halves keep closer
-     * together, and in those that are compared with factors.
+     * where velocities are not seen, but in nets that whip, which two halves keep closer together,
+     * and in those that are compared with factors.
      */
     void flow(boolean isLast) {
         flows = false;

@@ -9,8 +9,8 @@ import dev.cairn.physics.solver.row.EdgeList;
 import java.util.Arrays;
 
 /**
- * Who rides on what speeds up: islands that are at rest beside kinematic bodies, in ticks in which
- * those change their velocity.
+ * Riders on accelerating bodies: islands that are at rest beside kinematic bodies, in ticks in
+ * which those change their velocity.
  *
  * <p>Their load is another one in each sub-step: {@code m (g - a)}, with {@code m a h'} of
  * leverage, and a is known, since a kinematic body does what it is told. A soft contact answers a
@@ -26,8 +26,8 @@ import java.util.Arrays;
  */
 public final class CarriedIslands extends StaticStart {
     /**
-     * Contacts of an island times sweeps in a sub-step, at most; the island's own, so that who
-     * rides elsewhere does not matter.
+     * Contacts of an island times sweeps in a sub-step, at most; the island's own, so that riders
+     * elsewhere do not matter.
      */
     private static final int VISITS = 1 << 13;
 

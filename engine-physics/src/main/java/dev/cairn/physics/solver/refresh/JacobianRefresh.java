@@ -255,8 +255,9 @@ public final class JacobianRefresh {
     }
 
     /**
-     * Gives a body that turns the root of its present inertia; blocks of bodies. Who did not when
-     * the tick began does from here on if an impact has turned him by far in this sub-step.
+     * Gives a body that turns the root of its present inertia; blocks of bodies. A body that did
+     * not turn when the tick began does from here on if an impact has turned it by far in this
+     * sub-step.
      *
      * @param seconds length of the sub-step, s
      */

@@ -147,7 +147,7 @@ public final class ConstraintRows implements EdgePlaces {
         this.list = list;
     }
 
-    /** A field of a row, for who reads a few. */
+    /** A field of a row, for readers of few. */
     public double get(int index) {
         return isSingle ? floats[index] : doubles[index];
     }

@@ -28,9 +28,9 @@ import dev.cairn.physics.solver.row.RollingRows;
  * <p>Until the impact at {@code t}, the contact presses as in the last sub-step: it gets that share
  * {@code j = t/h l} of its warm start, and no more of it. Then all points that touch, {@code v'_i
  * >= 0}, and friction, swept until they agree, with normal levers of the pose at t. With {@code dv}
- * the change of velocity by the impact and f that by j, the same path is a start with {@code v + f +
- * dv} at {@code x - t dv - t f/2}, as in {@link Impacts}. Gravity then pulls from the start of the
- * sub-step on, and what landed is held from t on: that is made up for along the normal.
+ * the change of velocity by the impact and f that by j, the same path is a start with {@code v + f
+ * + dv} at {@code x - t dv - t f/2}, as in {@link Impacts}. Gravity then pulls from the start of
+ * the sub-step on, and what landed is held from t on: that is made up for along the normal.
  *
  * <p>Not what lands from flight: its points then lie at a gap of zero but for rounding, and whether
  * they are soft or hard in the next sub-step would hang on that. Only what lands faster than
