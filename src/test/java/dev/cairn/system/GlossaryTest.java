@@ -22,7 +22,8 @@ final class GlossaryTest {
     private static final Path DOCS = DocsTest.ROOT.resolve("docs");
 
     /** Letter and number; F keys have numbers too, and are no cases from F8 on. */
-    private static final Pattern CASE = Pattern.compile("(?<![\\w.-])(?:[A-EG-I]\\d\\d?|F[1-7])\\b");
+    private static final Pattern CASE =
+            Pattern.compile("(?<![\\w.-])(?:[A-EG-I]\\d\\d?|F[1-7])\\b");
 
     @Test
     void whatTheGlossaryNamesExists() throws IOException {

@@ -316,7 +316,10 @@ final class TunnellingGuard {
         int end = Blocks.end(block, BODIES_PER_BLOCK, dynamicCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             int slot = dynamic[i];
-            int c = fast[slot] && depenetration.isLoose(slot) ? colliders.bodies.collider[slot] : NONE;
+            int c =
+                    fast[slot] && depenetration.isLoose(slot)
+                            ? colliders.bodies.collider[slot]
+                            : NONE;
             for (; c != NONE; c = colliders.next[c]) {
                 if (isFast(c) && !isInBox(c, broadPhase.fatBoxes())) {
                     follow(c, broadPhase);
