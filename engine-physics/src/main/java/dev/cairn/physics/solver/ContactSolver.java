@@ -48,8 +48,8 @@ public final class ContactSolver {
     private static final int WORTH_WIDE = 32_768;
 
     /**
-     * A point touches up to a gap of this share of {@code g h²}: what has landed lies at a gap of 0
-     * but for rounding, and whether it is soft or hard there must not hang on that.
+     * A point touches up to a gap of this share of {@code g h²}: a body that has landed lies at a
+     * gap of 0 but for rounding, and whether it is soft or hard there must not hang on that.
      */
     private static final double TOUCH = 1e-9;
 

@@ -15,7 +15,7 @@ import dev.cairn.physics.solver.row.SubStep;
  * <p>The bias pass goes over the domains first and over what is between them last, the relax pass
  * the other way round. So nothing comes between the relax pass of a domain and its next bias pass
  * but its own bodies: a worker does both while the rows are in its cache. In both, contacts with
- * what does not move have the last word. Where something bounces, or has lost a load, the sub-step
+ * static bodies have the last word. Where something bounces, or has lost a load, the sub-step
  * begins with work on all of the scene, and the passes are apart.
  *
  * <p>Simulation thread, but for the blocks.

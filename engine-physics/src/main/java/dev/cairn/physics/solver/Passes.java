@@ -245,14 +245,14 @@ final class Passes {
         }
     }
 
-    /** Measures how far the cores of bodies are from what does not move; rows of doubles. */
+    /** Measures how far the cores of bodies are from static bodies; rows of doubles. */
     void lookAtCores(int from, int to) {
         if (!rows.isSingle) {
             cores.look(rows, tick.contacts, tick.bodies, from, to);
         }
     }
 
-    /** Keeps the cores of what moves out of what does not move; rows of doubles. */
+    /** Keeps the cores of moving bodies out of static ones; rows of doubles. */
     void guard(SubStep sub, int from, int to) {
         if (!rows.isSingle) {
             cores.keepOut(rows, body, sub, from, to);
@@ -456,7 +456,7 @@ final class Passes {
         kinds(kind).store(tick, sub, from, to);
     }
 
-    /** Writes the impulses of contacts back, and tells their bodies what presses on them. */
+    /** Writes the impulses of contacts back, and the loads of their bodies. */
     void storeRows(
             Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, WorkerScratch local) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {

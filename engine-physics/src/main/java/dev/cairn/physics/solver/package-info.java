@@ -9,7 +9,7 @@
  *
  * <pre>
  *   collect ─ contacts with points get a batch, a colour and a place; bodies without any fly at once
- *   load    ─ what rests under a load is solved with that load's inertia, while it rests, see
+ *   load    ─ bodies at rest under a load are solved with that load's inertia, see
  *             {@code Supports}
  *   prepare ─ weighted arms, effective masses, friction block; the bodies' first warm start
  *   start   ─ once, for what is put up at rest: impulses that hold it, before anything moves

@@ -30,7 +30,7 @@ public final class Depenetration {
     private final double[] own = new double[3];
     private final double[] turn = new double[3];
 
-    /** By body slot: it hangs on joints; by root of what hangs together: on what does not move. */
+    /** By body slot: it hangs on joints; by root of what hangs together: on a static body. */
     private boolean[] tied = {}, held = {};
 
     /** By body slot: it was put back in this tick. */
@@ -110,7 +110,7 @@ public final class Depenetration {
      * Whether a body may be put back: alone, or with those that hang on it.
      *
      * @param body slot
-     * @return false if it hangs on what does not move
+     * @return false if it hangs on a static body
      */
     public boolean isLoose(int body) {
         return !tied[body] || !held[ties.root(body)];

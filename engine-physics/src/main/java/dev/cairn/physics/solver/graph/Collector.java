@@ -344,7 +344,7 @@ public final class Collector implements Stateful {
     }
 
     /**
-     * Tells which bodies have edges. A body on nothing but one contact with what does not move is
+     * Tells which bodies have edges. A body on nothing but one contact with a static body is
      * guided.
      */
     private void bind(int[] guide) {

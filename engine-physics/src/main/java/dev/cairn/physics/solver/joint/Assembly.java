@@ -151,10 +151,10 @@ public final class Assembly {
     /** Whether all rows are locks: which rows hold never changes. */
     boolean isRigid = true;
 
-    /** Whether joints close loops, by what does not move too: rows may depend on each other. */
+    /** Whether joints close loops, by static bodies too: rows may depend on each other. */
     final boolean isLooped;
 
-    /** Whether a joint ties it to what does not move. */
+    /** Whether a joint ties it to a static body. */
     final boolean isGrounded;
 
     /** Velocities and marks, and impulses, before a half: impulses that are none leave rounding. */
@@ -172,16 +172,16 @@ public final class Assembly {
     final double[] begun;
 
     /**
-     * Edges of its contacts by the list of the tick: first those with what does not move, then
-     * those with bodies that no joint holds and that touch no other assembly. How many there are of
-     * the first, and of both.
+     * Edges of its contacts by the list of the tick: first those with static bodies, then those
+     * with bodies that no joint holds and that touch no other assembly. How many there are of the
+     * first, and of both.
      */
     int[] stand = new int[ROOM];
 
     int standCount;
     int touchCount;
 
-    /** Whether a contact of it is with what does not move, in rows of whichever precision. */
+    /** Whether a contact of it is with static bodies, in rows of whichever precision. */
     boolean touchesFixed;
 
     /**
@@ -191,7 +191,7 @@ public final class Assembly {
 
     boolean gives;
 
-    /** Notes a contact with what does not move; those come first. */
+    /** Notes a contact with static bodies; those come first. */
     void stand(int edge) {
         touch(edge);
         standCount++;
@@ -290,7 +290,7 @@ public final class Assembly {
             grounded |= i < 0;
         }
         isGrounded = grounded;
-        // a tree has as many edges as nodes less one; what does not move is one node
+        // a tree has as many edges as nodes less one; all static bodies are one node
         isLooped = joint.length > body.length - (isGrounded ? 0 : 1);
         Elimination order = new Elimination(body.length, rows, end);
         hasFactors = order.isSparse;

@@ -105,7 +105,7 @@ final class NetSolve {
         return true;
     }
 
-    /** Begin of a tick: distance, what does not move, and last impulses of a joint. */
+    /** Begin of a tick: distance, static bodies, and last impulses of a joint. */
     private void look(int p) {
         int k = net.joint[p];
         int j = s.joint[k];

@@ -95,7 +95,7 @@ abstract class VelocityHalf extends JointWork {
     }
 
     /**
-     * The same with contacts with what does not move.
+     * The same with contacts with static bodies.
      *
      * @param rows of the contacts
      */

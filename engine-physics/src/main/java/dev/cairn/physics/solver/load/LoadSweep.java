@@ -17,8 +17,8 @@ import dev.cairn.physics.tuning.Tuning;
 import java.util.Arrays;
 
 /**
- * Load-proportional inertia: what rests under a load is solved as if it had the inertia of that
- * load.
+ * Load-proportional inertia: a body that rests under a load is solved as if it had the inertia of
+ * that load.
  *
  * <p>Sweeps over contacts converge slowly where a heavy body rests on a light one, and a column of
  * soft contacts buckles under its own weight, because the springs are sized by the mass of one

@@ -313,8 +313,7 @@ public final class JacobianRefresh {
     }
 
     /**
-     * Where the corner of a body is at which it stands on what does not move, from its centre of
-     * mass.
+     * Where the corner of a body is with which it stands on a static one, from its centre of mass.
      *
      * @param source row of the contact in the store
      * @param place of its row, which is renewed
@@ -433,7 +432,7 @@ public final class JacobianRefresh {
     }
 
     /**
-     * The rim on which a body stands on what does not move, see {@link Rim}.
+     * The rim with which a body stands on a static one, see {@link Rim}.
      *
      * @param source row of the contact in the store
      * @param place of its row

@@ -18,8 +18,8 @@ import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.RollingRows;
 
 /**
- * Points that land, of a body that rocks on its only contact, which is with what does not move:
- * their impact, without a bounce, at its own time inside the sub-step.
+ * Points that land, of a body that rocks on its only contact, which is with a static body: their
+ * impact, without a bounce, at its own time inside the sub-step.
  *
  * <p>Problem: the soft step closes a gap at most to zero, so that an edge that comes down is
  * stopped over two sub-steps, with the levers of before and after, while the edge on which the body
@@ -44,7 +44,7 @@ final class InelasticImpact {
 
     private final MultiPointImpact impact = new MultiPointImpact();
 
-    /** Six zeros for what does not move, then acceleration of the body: without its contact. */
+    /** Six zeros for static bodies, then acceleration of the body: without its contact. */
     private final double[] free = new double[12];
 
     /** The same with its contact as in the last sub-step. */
