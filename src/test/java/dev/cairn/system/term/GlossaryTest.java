@@ -1,4 +1,4 @@
-package dev.cairn.system;
+package dev.cairn.system.term;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -19,19 +19,31 @@ import java.util.stream.Stream;
 
 /** The glossary leads to what exists, and each accuracy case that is named is explained. */
 final class GlossaryTest {
-    private static final Path DOCS = DocsTest.ROOT.resolve("docs");
+    private static final Path DOCS = root().resolve("docs");
 
     /** Letter and number; F keys have numbers too, and are no cases from F8 on. */
     private static final Pattern CASE =
             Pattern.compile("(?<![\\w.-])(?:[A-EG-I]\\d\\d?|F[1-7])\\b");
 
+    /** The repository: the nearest folder upwards with the glossary. */
+    private static Path root() {
+        Path folder = Path.of("").toAbsolutePath();
+        while (folder != null && !Files.isRegularFile(folder.resolve("docs/glossary.md"))) {
+            folder = folder.getParent();
+        }
+        if (folder == null) {
+            throw new IllegalStateException("no folder above this one has docs/glossary.md");
+        }
+        return folder;
+    }
+
     @Test
     void whatTheGlossaryNamesExists() throws IOException {
         Set<String> files;
-        try (Stream<Path> all = Files.walk(DocsTest.ROOT)) {
+        try (Stream<Path> all = Files.walk(root())) {
             files =
                     all.filter(file -> file.toString().endsWith(".java"))
-                            .map(file -> DocsTest.ROOT.relativize(file).toString())
+                            .map(file -> root().relativize(file).toString())
                             .map(file -> file.replace('\\', '/'))
                             .collect(Collectors.toCollection(TreeSet::new));
         }
