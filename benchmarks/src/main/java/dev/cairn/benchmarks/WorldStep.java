@@ -77,7 +77,7 @@ public class WorldStep {
     @State(Scope.Thread)
     public static class Stages {
         /** What was added, removed, changed from outside. */
-        public double rosterMicros;
+        public double bodiesMicros;
 
         /** Bounds of what moves. */
         public double boundsMicros;
@@ -117,7 +117,7 @@ public class WorldStep {
         /** Reads the profile. */
         @TearDown(Level.Iteration)
         public void read() {
-            rosterMicros = micros(StepStage.ROSTER);
+            bodiesMicros = micros(StepStage.BODIES);
             boundsMicros = micros(StepStage.BOUNDS);
             pairsMicros = micros(StepStage.PAIRS);
             rowsMicros = micros(StepStage.ROWS);

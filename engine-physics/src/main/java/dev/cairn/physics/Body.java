@@ -192,7 +192,7 @@ public final class Body implements BodyVectors<Body> {
     }
 
     /**
-     * Says whom the body collides with; {@link Filter#ALL} by default.
+     * Says what the body collides with; {@link Filter#ALL} by default.
      *
      * @param value the filter
      * @return this

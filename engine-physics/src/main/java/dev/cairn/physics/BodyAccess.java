@@ -77,7 +77,7 @@ final class BodyAccess {
         table.sleep(s);
     }
 
-    /** What changes nothing wakes nobody. */
+    /** What changes nothing wakes no body. */
     private void wakeIf(boolean changes, int s) {
         if (changes) {
             wake(s);

@@ -109,7 +109,7 @@ final class BodyChanges {
         }
     }
 
-    /** The mass of what nothing moves concerns nobody. */
+    /** The mass of a body that does not move concerns no other. */
     private void state(int s, GivenMass mass) {
         if (table.access.type(s) == BodyType.DYNAMIC) {
             wakeAround(s);

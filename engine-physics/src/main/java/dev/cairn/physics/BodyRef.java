@@ -270,7 +270,7 @@ public final class BodyRef extends BodyState implements Pushed {
      *
      * <p>A {@link dev.cairn.physics.shape.HeightField} that differs from the present one in its
      * samples and cells only is an edit: it stays where it is placed, contacts keep their impulses,
-     * and only who sleeps where it differs wakes.
+     * and only bodies that sleep where it differs wake.
      *
      * @param shape the new one; shared, not copied
      * @throws IllegalArgumentException if a dynamic body cannot have it
@@ -426,8 +426,8 @@ public final class BodyRef extends BodyState implements Pushed {
     }
 
     /**
-     * Changes whom the body collides with, all its colliders. Contacts that the new filter refuses
-     * end in the next step, and are told as ended; who rested on the body wakes.
+     * Changes what the body collides with, all its colliders. Contacts that the new filter refuses
+     * end in the next step, and are told as ended; bodies that rested on it wake.
      *
      * @param filter the new one
      */

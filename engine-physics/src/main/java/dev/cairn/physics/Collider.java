@@ -187,7 +187,7 @@ public final class Collider {
     }
 
     /**
-     * Says whom the collider meets; the body's filter by default.
+     * Says what the collider collides with; the body's filter by default.
      *
      * @param value the filter
      * @return a new description
@@ -208,8 +208,8 @@ public final class Collider {
     }
 
     /**
-     * Says whether the collider only tells who is in it, see {@link Contacts#entered}; it pushes
-     * nothing, weighs nothing beside colliders that are none, wakes nobody, and does not see other
+     * Says whether the collider only tells what is in it, see {@link Contacts#entered}; it pushes
+     * nothing, weighs nothing beside colliders that are none, wakes no body, and does not see other
      * sensors. False by default.
      *
      * @param value true for a sensor

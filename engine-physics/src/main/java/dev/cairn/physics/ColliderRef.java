@@ -60,7 +60,7 @@ public final class ColliderRef {
     }
 
     /**
-     * Whether it only tells who is in it.
+     * Whether it only tells what is in it.
      *
      * @return true for a sensor
      */
@@ -135,8 +135,8 @@ public final class ColliderRef {
     }
 
     /**
-     * Changes whom it collides with. Contacts that the new filter refuses end in the next step, and
-     * are told as ended; who rested on it wakes.
+     * Changes what it collides with. Contacts that the new filter refuses end in the next step, and
+     * are told as ended; bodies that rested on it wake.
      *
      * @param filter the new one
      */

@@ -29,14 +29,14 @@ import java.util.List;
 import java.util.function.BiPredicate;
 
 /**
- * The colliders as users know them, by slot: references, filters, who was taken apart. Simulation
- * thread, between steps.
+ * The colliders as users know them, by slot: references, filters, which shapes were taken apart.
+ * Simulation thread, between steps.
  */
 final class ColliderTable implements Stateful {
     final ColliderStore colliders;
     final PairFilter pairFilter;
 
-    /** Who meets whom. */
+    /** Which pairs collide. */
     final PairRules rules;
 
     private final Wholes wholes;
@@ -457,7 +457,7 @@ final class ColliderTable implements Stateful {
         if (rules.canMove(body) || !table.registry.isCentre(body, p)) {
             settle(body, p);
         } else {
-            table.access.setMass(body, p); // concerns nobody
+            table.access.setMass(body, p); // concerns no other body
         }
     }
 

@@ -9,8 +9,8 @@ import java.util.Objects;
 import java.util.function.BiPredicate;
 
 /**
- * The rules of a world about who collides, beside the filters of the colliders. Simulation thread,
- * between steps.
+ * The rules of a world about which bodies collide, beside the filters of the colliders. Simulation
+ * thread, between steps.
  */
 public final class Collisions {
     private final PhysicsWorld world;
@@ -38,7 +38,8 @@ public final class Collisions {
     }
 
     /**
-     * Chooses who looks at each contact before it is solved, and may change it for the step.
+     * Chooses the hook that looks at each contact before it is solved, and may change it for the
+     * step.
      *
      * @param hook the hook; {@code null} for none
      */

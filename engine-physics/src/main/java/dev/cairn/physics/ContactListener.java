@@ -3,8 +3,9 @@ package dev.cairn.physics;
 /**
  * Is told what happened to contacts and sensors in a step, after it, on the thread that called it:
  * so it may change the world. The order is part of the contract: ends of shapes, ends of bodies,
- * begins of bodies, begins of shapes, then hits of shapes, hits of bodies, who left, who entered;
- * each list in the order of {@link Contacts}. See {@link Contacts#listen}.
+ * begins of bodies, begins of shapes, then hits of shapes, hits of bodies, visitors that left
+ * sensors, visitors that entered; each list in the order of {@link Contacts}. See {@link
+ * Contacts#listen}.
  */
 public interface ContactListener {
     /**
@@ -60,7 +61,7 @@ public interface ContactListener {
      * Somebody has left a sensor, or one of the two is gone. Each had entered.
      *
      * @param sensor the sensor
-     * @param visitor who was in it
+     * @param visitor the body that was in it
      */
     default void left(ColliderRef sensor, ColliderRef visitor) {}
 
@@ -68,7 +69,7 @@ public interface ContactListener {
      * Somebody has entered a sensor.
      *
      * @param sensor the sensor
-     * @param visitor who is in it, or flew through it within the step
+     * @param visitor the body that is in it, or flew through it within the step
      */
     default void entered(ColliderRef sensor, ColliderRef visitor) {}
 }

@@ -152,8 +152,9 @@ public interface Contacts {
     Events bodiesEnded();
 
     /**
-     * Who entered a sensor in the last step; also who flew through it within the step, and is among
-     * {@link #left} too. {@code A} is the sensor, {@code B} who entered.
+     * The bodies that entered a sensor in the last step; also those that flew through it within the
+     * step, which are among {@link #left} too. {@code A} is the sensor, {@code B} the body that
+     * entered.
      *
      * @return the same view each time
      */
@@ -161,7 +162,7 @@ public interface Contacts {
 
     /**
      * Who left a sensor in the last step, or was removed before it, as the sensor may have been.
-     * Each had entered before. {@code A} is the sensor, {@code B} who left.
+     * Each had entered before. {@code A} is the sensor, {@code B} the body that left.
      *
      * @return the same view each time
      */

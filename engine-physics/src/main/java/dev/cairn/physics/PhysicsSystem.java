@@ -156,7 +156,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         readRegistry(tick);
         forces.run(tick);
         table.registry.refreshLists();
-        profile.end(StepStage.ROSTER);
+        profile.end(StepStage.BODIES);
         assert StageCheck.awake(table.bodies, table.registry.dynamic, table.registry.dynamicCount);
         table.registry.beginMotion(tick.stepSeconds(), gravity());
         moveBounds(tick);

@@ -240,7 +240,7 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
     }
 
     /**
-     * The rules about who collides, beside the filters of colliders.
+     * The rules about which bodies collide, beside the filters of colliders.
      *
      * @return the same object each time
      */
@@ -268,7 +268,7 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
     }
 
     /**
-     * Who fell asleep and who woke.
+     * The bodies that fell asleep and those that woke.
      *
      * @return the same view each time
      */
@@ -278,8 +278,8 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
 
     /**
      * Saves all that the next step depends on: bodies, colliders, shapes, joints, contacts with
-     * what is remembered of them, who sleeps, events of the last step, tick, entities with all
-     * components. Not saved are functions and listeners (filters of pairs, contact hooks),
+     * what is remembered of them, which bodies sleep, events of the last step, tick, entities with
+     * all components. Not saved are functions and listeners (filters of pairs, contact hooks),
      * resources and whether the physics is paused; objects of the user are kept by reference.
      * Between steps.
      *

@@ -1,8 +1,9 @@
 package dev.cairn.physics;
 
 /**
- * Who fell asleep and who woke in the last step, and by calls since the step before. For each body
- * the two alternate, beginning with a sleep; a body that is removed asleep wakes with it.
+ * The bodies that fell asleep and those that woke in the last step, and by calls since the step
+ * before. For each body the two alternate, beginning with a sleep; a body that is removed asleep
+ * wakes with it.
  *
  * <p>A view: the same object for the life of the world, its contents replaced by each step.
  * Simulation thread, between steps. Nothing here allocates. The order is the same for any number of

@@ -25,7 +25,7 @@ import java.util.function.Predicate;
 
 /**
  * What a ray, a moving shape or a place meets among the bodies of a world. The answers are those of
- * {@link ShapeQueries} for each body alone; the broad phase only says whom to ask.
+ * {@link ShapeQueries} for each body alone; the broad phase only says which bodies to ask.
  *
  * <p>Between steps. Each thread may have its own, and ask while nobody changes the world. Answers
  * do not depend on workers or on the history of the trees: of equals, the body that was added first
@@ -66,7 +66,7 @@ public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met
     }
 
     /**
-     * Chooses whom the following questions are about.
+     * Chooses the bodies that the following questions are about.
      *
      * @param wanted false for bodies to look through; {@code null} for all bodies
      * @return this
@@ -77,10 +77,10 @@ public final class WorldQueries implements VectorCasts<BodyRef, WorldQueries.Met
     }
 
     /**
-     * Chooses whom the following questions are about: colliders that one with this filter would
+     * Chooses what the following questions are about: colliders that one with this filter would
      * meet. It holds together with {@link #filter}.
      *
-     * @param asks filter of who asks; {@code null} for all colliders, whatever theirs is
+     * @param asks filter of the question; {@code null} for all colliders, whatever theirs is
      * @return this
      */
     public WorldQueries withFilter(@Nullable Filter asks) {

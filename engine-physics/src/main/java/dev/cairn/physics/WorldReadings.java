@@ -5,7 +5,7 @@ import dev.cairn.core.ecs.World;
 import dev.cairn.physics.body.Kinetics;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
-import dev.cairn.physics.state.Crush;
+import dev.cairn.physics.state.CrushDetector;
 import dev.cairn.physics.state.Digest;
 import dev.cairn.physics.state.KineticSums;
 import dev.cairn.physics.state.RigidBody;
@@ -63,7 +63,7 @@ public abstract sealed class WorldReadings permits PhysicsWorld {
      */
     public List<BodyRef> crushed() {
         requireBetweenSteps("crushed");
-        Crush crush = new Crush(physics.table.bodies, physics.contacts);
+        CrushDetector crush = new CrushDetector(physics.table.bodies, physics.contacts);
         List<BodyRef> found = new ArrayList<>();
         boolean any = physics.table.registry.kinematicCount > 0;
         for (int row = 0; any && row < physics.contacts.count; row++) {
@@ -230,7 +230,7 @@ public abstract sealed class WorldReadings permits PhysicsWorld {
         requireOpen(call);
         if (stepping || physics.isRunning()) {
             throw new IllegalStateException(
-                    call + " was called during a step; call it between steps, when nobody moves");
+                    call + " was called during a step; call it between steps, when no body moves");
         }
     }
 

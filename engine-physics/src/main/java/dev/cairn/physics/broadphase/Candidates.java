@@ -10,9 +10,9 @@ import java.util.BitSet;
 import java.util.function.IntPredicate;
 
 /**
- * Whom a question about a world is put to: colliders of both trees that a walk meets, then those
- * without end, then those that the trees do not know where they are. Each that is wanted comes
- * once.
+ * The colliders that a question about a world is put to: colliders of both trees that a walk meets,
+ * then those without end, then those that the trees do not know where they are. Each that is wanted
+ * comes once.
  *
  * <p>One thread. Allocates only while its list grows.
  */

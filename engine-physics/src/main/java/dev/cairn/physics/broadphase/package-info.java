@@ -3,7 +3,7 @@
  *
  * <p>Problem: of n bodies almost none of the n²/2 pairs is near, and from tick to tick almost
  * nothing changes. So each body has a <i>fat box</i>, larger than it needs by a margin relative to
- * its size and along its velocity; a box tree finds who overlaps a box in logarithmic time; and
+ * its size and along its velocity; a box tree finds what overlaps a box in logarithmic time; and
  * only bodies that left their fat box ask.
  *
  * <pre>

@@ -1,5 +1,5 @@
 /**
- * What a collider is like, beside its shape: who it collides with.
+ * What a collider is like, beside its shape: what it collides with.
  *
  * <p>Problem: a body is one thing to the laws of motion, but what it is made of meets the world
  * piece by piece. A collider is a shape on a body; most bodies have one.

@@ -43,7 +43,7 @@ public final class ContactRows {
      * Without rows.
      *
      * @param colliders frictions and restitutions of new rows
-     * @param sleepers wakes who loses a contact
+     * @param sleepers wakes bodies that lose a contact
      */
     public ContactRows(ColliderStore colliders, Sleepers sleepers) {
         this.colliders = colliders;
@@ -126,7 +126,9 @@ public final class ContactRows {
         }
     }
 
-    /** Tells who ends, in the order of the candidates, and lists their places, ascending. */
+    /**
+     * Tells which touches end, in the order of the candidates, and lists their places, ascending.
+     */
     private void end(TouchEvents events) {
         ContactStore c = contacts;
         int n = 0;

@@ -101,7 +101,7 @@ public final class ManifoldStage {
 
     /**
      * Rows of wholes have the negative of their number of points but here and while {@code
-     * WholeStage} has them solved: nobody else sees them.
+     * WholeStage} has them solved: no other stage sees them.
      */
     private void showWholes(ContactStore rows, int sign) {
         for (int i = 0; colliders.wholes && i < rows.activeCount; i++) {

@@ -221,8 +221,8 @@ final class Recycler {
     }
 
     /**
-     * Whether a pair is worth keeping: who will be elsewhere in the next tick need not be
-     * remembered. The arguments are those of {@link #keep}.
+     * Whether a pair is worth keeping: one whose bodies will be elsewhere in the next tick need not
+     * be remembered. The arguments are those of {@link #keep}.
      */
     boolean stays(int row, boolean apart, double gap, double margin) {
         if (Double.isNaN(gap)) {

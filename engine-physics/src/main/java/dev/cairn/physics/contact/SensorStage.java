@@ -17,8 +17,8 @@ import dev.cairn.physics.query.ShapeQueries;
 import java.util.Arrays;
 
 /**
- * Who is in which sensor. A sensor's pairs are rows of their own, which no solver, island or
- * sleeper sees: a sensor pushes nothing and wakes nobody.
+ * Which bodies are in which sensor. A sensor's pairs are rows of their own, which no solver, island
+ * or sleeper sees: a sensor pushes nothing and wakes no body.
  *
  * <p>After the bodies have moved, each pair of which one may have moved is asked whether it
  * overlaps; if it does not now and did not before, whether it did on the way: the one moves along a
@@ -52,13 +52,13 @@ public final class SensorStage implements Stateful {
     /** What was found in this tick. */
     private byte[] found = {};
 
-    /** Whether what was found holds while nobody moves. */
+    /** Whether what was found holds while neither body moves. */
     private boolean[] looked = {};
 
     /** From the sensor to the visitor when they were looked at last, m. */
     private double[] from = {};
 
-    /** Sensors, and who entered them or left them. */
+    /** Sensors, and the visitors that entered or left them. */
     public final PairList entered = new PairList(), left = new PairList();
 
     /** Without sensors. */
@@ -121,7 +121,7 @@ public final class SensorStage implements Stateful {
         left.state(s);
     }
 
-    /** Pairs whose boxes parted, or that filters refuse now, go; who was in has left. */
+    /** Pairs whose boxes parted, or that filters refuse now, go; a visitor that was in has left. */
     void drop() {
         int kept = 0;
         for (int row = 0; row < count; row++) {
@@ -147,7 +147,7 @@ public final class SensorStage implements Stateful {
         count = kept;
     }
 
-    /** Looks who is in; after the bodies have moved and their colliders with them. */
+    /** Looks what is in; after the bodies have moved and their colliders with them. */
     public void run(Jobs jobs) {
         if (count == 0) {
             return;

@@ -178,8 +178,8 @@ final class SurfaceRecycler {
     }
 
     /**
-     * Whether a pair is worth keeping: who will be elsewhere in the next tick need not be
-     * remembered.
+     * Whether a pair is worth keeping: one whose bodies will be elsewhere in the next tick need not
+     * be remembered.
      */
     private boolean stays(int head, double allowed) {
         int a = c.bodyA[head];

@@ -27,15 +27,15 @@ import java.util.Objects;
  *
  * <pre>
  *   sort  ─▶ rows: touching or slow; not closing within the tick; closing; in blocks of rows
- *   tie   ─▶ closing rows of bodies that touch others: these meet somebody
+ *   tie   ─▶ closing rows of bodies that touch others: these meet another body
  *   sweep ─▶ closing rows of bodies that touch nothing: first meeting, or none; or left open
  *   close ─▶ those that were left open, if the answer can change what is dropped
- *   drop  ─▶ those that do not meet, of bodies that meet nobody: their motion is free
+ *   drop  ─▶ those that do not meet, of bodies that meet no other: their motion is free
  * </pre>
  *
  * <p>A search for a meeting is dear, and in a falling heap most would be for nothing: a row is
- * dropped only if neither of its bodies meets anybody. So one of a body that is known to meet
- * somebody is left open, and looked at only if the other body has a row that may be dropped unless
+ * dropped only if neither of its bodies meets another one. So one of a body that is known to meet
+ * another is left open, and looked at only if the other body has a row that may be dropped unless
  * they meet. What is dropped does not hang on the order in which rows are looked at.
  *
  * <p>Between points and solve. Several workers may mark one body, all with the same mark.
@@ -44,10 +44,16 @@ import java.util.Objects;
 public final class SweepStage {
     private static final int ROWS_PER_BLOCK = 256;
 
-    /** Of the smaller inner radius: who passes by less in a tick, as at rest, is not looked at. */
+    /**
+     * Of the smaller inner radius: a pair that moves past each other by less in a tick, as at rest,
+     * is not looked at.
+     */
     private static final double FAST = 0x1p-20;
 
-    /** The same: who passes by more is struck within the tick, see {@link ImpactStage}. */
+    /**
+     * The same: a pair that moves past each other by more is struck within the tick, see {@link
+     * ImpactStage}.
+     */
     private static final double VERY_FAST = 4;
 
     /** The same of balls, which touch in one point. */
@@ -74,7 +80,7 @@ public final class SweepStage {
     private final BoundsStage bounds;
     private final EdgeSource[] edges;
     private final PointStore points;
-    private final CentreGuard guard;
+    private final TunnellingGuard guard;
 
     /** By active row. */
     private byte[] state = {};
@@ -85,16 +91,18 @@ public final class SweepStage {
     /** By active row: when its bodies meet, s after the start of the tick; infinite if never. */
     private double[] when = {};
 
-    /** By body: 0 if its motion is free, 1 if it touches somebody, 2 if it is bound otherwise. */
+    /**
+     * By body: 0 if its motion is free, 1 if it touches another body, 2 if it is bound otherwise.
+     */
     private byte[] bound = {};
 
-    /** By body: it closes with somebody within the tick, slower than what is looked at. */
+    /** By body: it closes with another body within the tick, slower than what is looked at. */
     private boolean[] slow = {};
 
-    /** By body: it meets somebody within the tick. */
+    /** By body: it meets another body within the tick. */
     private boolean[] meets = {};
 
-    /** By body: it has a row that is dropped unless one of its bodies meets somebody. */
+    /** By body: it has a row that is dropped unless one of its bodies meets another. */
     private boolean[] misses = {};
 
     private SweptPair[] pairs = {};
@@ -124,7 +132,7 @@ public final class SweepStage {
         this.bounds = bounds;
         this.edges = edges;
         points = new PointStore(colliders);
-        guard = new CentreGuard(colliders, contacts, bounds, edges);
+        guard = new TunnellingGuard(colliders, contacts, bounds, edges);
     }
 
     /**
@@ -430,7 +438,7 @@ public final class SweepStage {
         }
     }
 
-    /** Whether what a body does not meet may hang on whether it meets somebody else. */
+    /** Whether the rows of a body that do not meet depend on whether it meets another body. */
     private boolean isWaiting(int body) {
         return colliders.bodies.kind[body] == BodyStore.DYNAMIC && !meets[body] && misses[body];
     }

@@ -49,7 +49,9 @@ final class SweptPair implements MovingPair {
     /** Of a time between two looks. */
     private static final int MOST_HALVINGS = 40;
 
-    /** Of the smaller inner radius: who sinks so deep after an impact is struck again. */
+    /**
+     * Of the smaller inner radius: a pair that overlaps so deep after an impact is struck again.
+     */
     private static final double SUNK = 0x1p-8;
 
     /** Of the smaller inner radius: points that far apart are of the meeting. */
@@ -120,8 +122,9 @@ final class SweptPair implements MovingPair {
     }
 
     /**
-     * Whether the colliders of a row, which are apart, surely meet within a tick at a time nobody
-     * needs to know: they overlap at its end, and their way {@link #isShort}. False says nothing.
+     * Whether the colliders of a row, which are apart, surely meet within a tick at a time that
+     * need not be known: they overlap at its end, and their way {@link #isShort}. False says
+     * nothing.
      */
     boolean meetSometime(int row, double stepSeconds) {
         setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
@@ -157,7 +160,7 @@ final class SweptPair implements MovingPair {
         return isFar;
     }
 
-    /** Makes a point of who is turned; returns how far it reaches, m. */
+    /** Makes a point of a shape that was turned; returns how far it reaches, m. */
     private double shrink(Flight f, double doubt, int slot) {
         if (doubt == 0) {
             return 0;

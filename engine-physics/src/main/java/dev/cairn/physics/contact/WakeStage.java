@@ -10,15 +10,15 @@ import dev.cairn.physics.island.Sleepers;
 import java.util.Arrays;
 
 /**
- * Between narrow phase and solve: whom an awake body has come to touch is woken, with all that
- * hangs on him, and collides within the same tick; again until nobody more wakes.
+ * Between narrow phase and solve: a sleeping body that an awake one has come to touch is woken,
+ * with its island, and collides within the same tick; again until no more bodies wake.
  *
  * <p>Simulation thread; the narrow phase in blocks; allocates only when rows are added.
  */
 public final class WakeStage {
     /**
      * Change of a force, or of its moment over the radius, that wakes; over the sleeper's weight or
-     * what he carried, whichever is more.
+     * the load that it carried, whichever is more.
      */
     private static final double LEAN_CHANGE = 0.5;
 
@@ -102,8 +102,8 @@ public final class WakeStage {
     }
 
     /**
-     * Remembers what those carry of bodies that move who fell asleep beside them; after {@link
-     * Sleepers#look}, if anybody fell asleep.
+     * Remembers the forces that moving bodies put on bodies that fell asleep beside them; after
+     * {@link Sleepers#look}, if any fell asleep.
      */
     public void lean() {
         byte[] kind = bodies.kind;
@@ -145,8 +145,8 @@ public final class WakeStage {
     }
 
     /**
-     * Whether the sleeper of a contact carries about as much of the body that moves beside him as
-     * when he fell asleep, at about the same place.
+     * Whether the sleeper of a contact carries about as much of the body that moves beside it as
+     * when it fell asleep, at about the same place.
      */
     private boolean staysAsleep(int row) {
         int a = contacts.bodyA[row];
@@ -172,11 +172,12 @@ public final class WakeStage {
     }
 
     /**
-     * A body beside those asleep touches one more of them: that wakes him unless its momentum is
-     * small beside what his weight gives him in a tick. What it presses with shows in the next.
+     * A body beside those asleep touches one more of them: that wakes the sleeper unless the
+     * momentum is small beside what the sleeper's weight gives it in a tick. What it presses with
+     * shows in the next.
      */
     private boolean mayBeginToLean(int row, int mover, double weight) {
-        // m |v| <= share m g h; not so for a body on which nobody leans yet: d is not a number
+        // m |v| <= share m g h; not so for a body on which no other leans yet: d is not a number
         boolean small =
                 bodies.surfaceSpeed(mover)
                                 <= LEAN_CHANGE * weight * seconds * bodies.inverseMass[mover]

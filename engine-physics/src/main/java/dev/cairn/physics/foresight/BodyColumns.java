@@ -175,6 +175,7 @@ final class BodyColumns {
         double a = state.number(x, i);
         double b = state.number(y, j);
         double c = state.number(z, k);
-        Guess.next(state, w, l, Math.sqrt(Math.max(0, 1 - (a * a + b * b + c * c))), packs);
+        PredictedValues.next(
+                state, w, l, Math.sqrt(Math.max(0, 1 - (a * a + b * b + c * c))), packs);
     }
 }

@@ -114,7 +114,7 @@ final class ContactForesight {
         double y = Math.abs(normal[1]);
         double z = Math.abs(normal[2]);
         int k = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-        int i = HEAD * row + ContactColumns.RUB;
+        int i = HEAD * row + ContactColumns.FRICTION_IMPULSE;
         int u = (k + 1) % 3;
         int v = (k + 2) % 3;
         double across =
@@ -124,6 +124,6 @@ final class ContactForesight {
     }
 
     private double next(int column, int i, double guess) {
-        return Guess.next(state, column, i, guess, packs);
+        return PredictedValues.next(state, column, i, guess, packs);
     }
 }

@@ -74,7 +74,7 @@ public final class ColliderStore implements Stateful {
     /** Whether any collider is, or was, a sensor. */
     public boolean sensors;
 
-    /** Whether it only tells who is in it, and pushes nothing. */
+    /** Whether it only tells which bodies are in it, and pushes nothing. */
     public boolean[] sensor = {};
 
     /** What the user attached. */
@@ -126,7 +126,7 @@ public final class ColliderStore implements Stateful {
     /**
      * Without colliders.
      *
-     * @param bodies who will have them
+     * @param bodies that will have them
      */
     public ColliderStore(BodyStore bodies) {
         this.bodies = bodies;

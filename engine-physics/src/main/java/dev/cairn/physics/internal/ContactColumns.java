@@ -25,7 +25,7 @@ public class ContactColumns {
     public static final int FRICTION = 3;
 
     /** Of a row's head: the friction impulse. */
-    public static final int RUB = 4;
+    public static final int FRICTION_IMPULSE = 4;
 
     /** Of a row's head: the twist impulse. */
     public static final int TWIST = 7;
@@ -104,7 +104,7 @@ public class ContactColumns {
      */
     public double[] belt = {};
 
-    /** Whether somebody wants hits; until then nothing is in {@link #approach}. */
+    /** Whether hits are listened to; until then nothing is in {@link #approach}. */
     public boolean hits;
 
     /** How fast the two approached before they touched, m/s. */
@@ -278,17 +278,17 @@ public class ContactColumns {
 
     /** Friction impulse at the patch centre, world: x, N s over the last sub-step. */
     public double frictionImpulseX(int row) {
-        return head[head(row) + RUB];
+        return head[head(row) + FRICTION_IMPULSE];
     }
 
     /** Friction impulse at the patch centre, world: y, N s over the last sub-step. */
     public double frictionImpulseY(int row) {
-        return head[head(row) + RUB + 1];
+        return head[head(row) + FRICTION_IMPULSE + 1];
     }
 
     /** Friction impulse at the patch centre, world: z, N s over the last sub-step. */
     public double frictionImpulseZ(int row) {
-        return head[head(row) + RUB + 2];
+        return head[head(row) + FRICTION_IMPULSE + 2];
     }
 
     /** Twist impulse about the normal, N m s over the last sub-step. */
@@ -342,9 +342,9 @@ public class ContactColumns {
     /** Sets the friction impulse of a row, N s, and its twist, N m s. */
     public void setFrictionImpulse(int row, double x, double y, double z, double twist) {
         int i = head(row);
-        head[i + RUB] = x;
-        head[i + RUB + 1] = y;
-        head[i + RUB + 2] = z;
+        head[i + FRICTION_IMPULSE] = x;
+        head[i + FRICTION_IMPULSE + 1] = y;
+        head[i + FRICTION_IMPULSE + 2] = z;
         head[i + TWIST] = twist;
     }
 

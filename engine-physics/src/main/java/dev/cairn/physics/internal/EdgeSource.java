@@ -1,7 +1,7 @@
 package dev.cairn.physics.internal;
 
 /**
- * Where the edges of one kind of constraint come from: who binds which bodies in this tick.
+ * Where the edges of one kind of constraint come from: which bodies are bound in this tick.
  *
  * <p>Islands, sleep, batches and colours see constraints as edges between two bodies, and know
  * nothing else of them. Simulation thread; nothing allocates.
@@ -10,7 +10,9 @@ public interface EdgeSource {
     /** How many edges there may be in this tick. */
     int edges();
 
-    /** How many edges there may be before the store grows: who copies their size grows with it. */
+    /**
+     * How many edges there may be before the store grows: columns of as many edges grow with it.
+     */
     int capacity();
 
     /**

@@ -8,8 +8,8 @@ import org.jspecify.annotations.Nullable;
 import java.util.Arrays;
 
 /**
- * All joints as columns: who is bound where, and the rows that bind them. A joint is a number that
- * stays its own as long as it exists; freed numbers are used again, last freed first.
+ * All joints as columns: which bodies are bound where, and the rows that bind them. A joint is a
+ * number that stays its own as long as it exists; freed numbers are used again, last freed first.
  *
  * <p>A joint has a frame in each of its bodies: an origin relative to the centre of mass, and a
  * quaternion, both in the body's axes. Its rows are scalar equations between these frames. Row

@@ -13,10 +13,10 @@ import dev.cairn.physics.shape.revolution.Discs;
 import dev.cairn.physics.shape.revolution.Revolved;
 
 /**
- * What the surface of a collider is made of, as far as it matters to who computes with contacts.
- * Collision tells it with each row, and with each point by its feature id whether that is a tip, so
- * nobody behind it asks for the class of a shape; a shape that is turned or shifted in its body is
- * as that shape. Stateless.
+ * What the surface of a collider is made of, as far as it matters to code that computes with
+ * contacts. Collision tells it with each row, and with each point by its feature id whether that is
+ * a tip, so no stage behind it asks for the class of a shape; a shape that is turned or shifted in
+ * its body is as that shape. Stateless.
  */
 public final class Surface {
     /**

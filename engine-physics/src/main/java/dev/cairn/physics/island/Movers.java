@@ -14,7 +14,7 @@ import java.util.Arrays;
 public final class Movers {
     private final BodyStore bodies;
 
-    /** Position, m; not a number where nobody leans. */
+    /** Position, m; not a number where no mover leans. */
     private double[] leanAt = {};
 
     Movers(BodyStore bodies) {
@@ -49,10 +49,10 @@ public final class Movers {
     }
 
     /**
-     * How far a body has moved since somebody fell asleep beside it.
+     * How far a body has moved since another one fell asleep beside it.
      *
      * @param mover slot of an awake body
-     * @return m; not a number if nobody did
+     * @return m; not a number if none did
      */
     public double moved(int mover) {
         double x = bodies.positionX[mover] - leanAt[3 * mover];

@@ -15,15 +15,15 @@ final class RestingIslands {
 
     private static final int NONE = -1;
 
-    private final RestDetector quiet;
+    private final RestDetector detector;
     private final BodyStore bodies;
     private final EdgeSource[] edges;
     private final Islands islands = new Islands();
 
-    /** Of the island of a root: whether somebody in it forbids that it sleeps. */
+    /** Of the island of a root: whether a body in it forbids that it sleeps. */
     private boolean[] restless = {};
 
-    /** Whether somebody in it is not at rest by himself. */
+    /** Whether a body in it is not at rest by itself. */
     private boolean[] isHeap = {};
 
     /** How many in it are not even still. */
@@ -35,8 +35,8 @@ final class RestingIslands {
     /** The first of it that lies down. */
     private int[] head = {};
 
-    RestingIslands(RestDetector quiet, BodyStore bodies, EdgeSource... edges) {
-        this.quiet = quiet;
+    RestingIslands(RestDetector detector, BodyStore bodies, EdgeSource... edges) {
+        this.detector = detector;
         this.bodies = bodies;
         this.edges = edges;
     }
@@ -89,7 +89,7 @@ final class RestingIslands {
         if (restless[root]
                 || (isHeap[root] && size[root] == 1)
                 || movers[root] > Math.max(1, size[root] / MOVERS)
-                || (movers[root] > 0 && !quiet.isStill(s))) {
+                || (movers[root] > 0 && !detector.isStill(s))) {
             return false;
         }
         if (head[root] == NONE) {
@@ -118,15 +118,15 @@ final class RestingIslands {
     private void classify(int s) {
         int root = islands.root(s);
         size[root]++;
-        if (quiet.rests[s] && (islands.touched(s) || still(s))) {
+        if (detector.rests[s] && (islands.touched(s) || still(s))) {
             return;
         }
         isHeap[root] = true;
-        if (quiet.isStill(s)) {
+        if (detector.isStill(s)) {
             return;
         }
         movers[root]++;
-        restless[root] |= !quiet.maySleep[s];
+        restless[root] |= !detector.maySleep[s];
     }
 
     /**
@@ -143,12 +143,12 @@ final class RestingIslands {
     }
 
     private void bind(int s) {
-        if (bodies.kind[s] == BodyStore.DYNAMIC && !quiet.rests[s] && !quiet.isStill(s)) {
+        if (bodies.kind[s] == BodyStore.DYNAMIC && !detector.rests[s] && !detector.isStill(s)) {
             restless[islands.root(s)] = true;
         }
     }
 
-    /** Who touches somebody asleep is among others, too. */
+    /** A body that touches a sleeping one counts as one among others, too. */
     private void countSleepers() {
         byte[] kind = bodies.kind;
         EdgeSource contacts = edges[0];

@@ -6,7 +6,8 @@ import dev.cairn.physics.internal.BodyStore;
 import java.util.Arrays;
 
 /**
- * Who fell asleep and who woke, in pairs: a body that did both between two tellings did neither.
+ * Which bodies fell asleep and which woke, in pairs: a body that did both between two tellings did
+ * neither.
  *
  * <p>Simulation thread; allocates only when a list grows.
  */
@@ -47,7 +48,10 @@ public final class SleepChanges {
         changed[changedCount++] = s;
     }
 
-    /** Sums up the changes since the last call: who sleeps and did not, who does not and did. */
+    /**
+     * Sums up the changes since the last call: bodies that sleep and did not, bodies that do not
+     * and did.
+     */
     public void tell() {
         fellCount = 0;
         wokeCount = 0;

@@ -8,7 +8,7 @@ import dev.cairn.physics.internal.EdgeSource;
 import java.util.Arrays;
 
 /**
- * Who sleeps: puts islands to sleep, wakes them, and tells what changed in a tick.
+ * Which bodies sleep: puts islands to sleep, wakes them, and tells what changed in a tick.
  *
  * <p>Simulation thread; allocates only when slots are added.
  */
@@ -26,7 +26,7 @@ public final class Sleepers {
     private final BodyStore bodies;
     private final EdgeSource[] edges;
     private final boolean enabled;
-    private final RestDetector quiet;
+    private final RestDetector detector;
     private final RestingIslands resting;
     private final Movers movers;
     private final SleepChanges told;
@@ -66,8 +66,8 @@ public final class Sleepers {
         this.bodies = bodies;
         this.edges = edges;
         this.enabled = enabled;
-        quiet = new RestDetector(sleepSeconds);
-        resting = new RestingIslands(quiet, bodies, edges);
+        detector = new RestDetector(sleepSeconds);
+        resting = new RestingIslands(detector, bodies, edges);
         movers = new Movers(bodies);
         told = new SleepChanges(bodies);
     }
@@ -83,7 +83,7 @@ public final class Sleepers {
         }
         int n = Math.max(slots, Math.max(64, island.length + (island.length >> 1)));
         int old = island.length;
-        quiet.ensureSlots(n);
+        detector.ensureSlots(n);
         resting.ensureSlots(n);
         movers.ensureSlots(n);
         island = Arrays.copyOf(island, n);
@@ -97,8 +97,8 @@ public final class Sleepers {
     }
 
     /**
-     * Who sleeps, and since when; slots have room already. Changes are counted on, so that nobody
-     * takes another state for the one that he has seen.
+     * Which bodies sleep, and since when; slots have room already. Changes are counted on, so that
+     * no reader takes another state for the one that it has seen.
      *
      * @param slots in use
      */
@@ -112,7 +112,7 @@ public final class Sleepers {
         freshCount = s.value("freshCount", freshCount);
         fresh = s.array("fresh", fresh, freshCount);
         if (enabled) {
-            quiet.state(s, slots);
+            detector.state(s, slots);
             movers.state(s, slots);
             s.section("islands", this);
             island = s.array("island", island, slots);
@@ -135,8 +135,8 @@ public final class Sleepers {
      */
     public void born(int slot, boolean maySleep) {
         if (enabled) {
-            quiet.reset(slot);
-            quiet.maySleep[slot] = maySleep;
+            detector.reset(slot);
+            detector.maySleep[slot] = maySleep;
             movers.forget(slot);
         }
     }
@@ -149,14 +149,14 @@ public final class Sleepers {
      */
     public void allow(int slot, boolean maySleep) {
         if (enabled) {
-            quiet.maySleep[slot] = maySleep;
+            detector.maySleep[slot] = maySleep;
         }
     }
 
     /** A body, awake, begins to be quiet anew. */
     public void renew(int slot) {
         if (enabled) {
-            quiet.reset(slot);
+            detector.reset(slot);
         }
     }
 
@@ -231,7 +231,7 @@ public final class Sleepers {
         if (!enabled || count == 0) {
             return;
         }
-        int still = quiet.run(bodies, awake, count, gravity, stepSeconds, jobs);
+        int still = detector.run(bodies, awake, count, gravity, stepSeconds, jobs);
         if (ticksToLook > 0) {
             ticksToLook--;
             return;
@@ -275,7 +275,7 @@ public final class Sleepers {
         tail[first] = s;
         BodyStore b = bodies;
         b.kind[s] = BodyStore.ASLEEP;
-        quiet.reset(s);
+        detector.reset(s);
         b.velocityX[s] = 0;
         b.velocityY[s] = 0;
         b.velocityZ[s] = 0;
@@ -310,7 +310,7 @@ public final class Sleepers {
         } while (s != slot);
     }
 
-    /** Wakes who hangs on a body that is awake by another edge than a contact. */
+    /** Wakes bodies that are bound to one that is awake by another edge than a contact. */
     public void wakeLinked() {
         int before;
         do {
@@ -343,7 +343,7 @@ public final class Sleepers {
         bodies.pressing[s] = pressing[s];
         island[s] = NONE;
         settled[s] = false;
-        quiet.reset(s);
+        detector.reset(s);
         asleepCount--;
         if (freshCount == fresh.length) {
             fresh = Arrays.copyOf(fresh, 2 * freshCount);
@@ -417,7 +417,7 @@ public final class Sleepers {
      *
      * @return true after any change
      */
-    public boolean takeRostersStale() {
+    public boolean takeListsStale() {
         boolean was = slotsStale;
         slotsStale = false;
         return was;
@@ -466,7 +466,7 @@ public final class Sleepers {
             if (at > 18) {
                 return movers.bits(slot, at - 19);
             }
-            return at == 0 ? NONE : quiet.bits(slot, at - 1);
+            return at == 0 ? NONE : detector.bits(slot, at - 1);
         }
         return switch (at) {
             case 0 -> island[slot];

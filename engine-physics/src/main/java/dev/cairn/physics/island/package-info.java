@@ -1,11 +1,11 @@
 /**
- * Islands and sleep: who hangs together, who has come to rest, who is woken.
+ * Islands and sleep: which bodies hang together, which have come to rest, which are woken.
  *
  * <p>Problem: most bodies of most scenes lie still most of the time. They should cost nothing, and
  * nobody should be able to tell from what happens next that they had been left out.
  *
  * <pre>
- *   solve ─▶ RestDetector: is each at rest?     ─▶ Islands: who touches whom ─▶ all of an island at rest:
+ *   solve ─▶ RestDetector: is each at rest?     ─▶ Islands: what touches what ─▶ all of an island at rest:
  *            speed, and what is left to travel     union-find, every 4th tick     Sleepers.sleep
  *   points ─▶ WakeStage: a new point between an awake body and one asleep ─▶ Sleepers.wake, whole island,
  *             its rows collide in the same tick, before the solve; again until nothing more wakes
@@ -25,10 +25,11 @@
  * island of two bodies or more, a body that has stayed within {@code min(0.01 r, 0.001 sqrt(g r)
  * T)} of one place for {@code T}, four times the time of quiet, is still. A heap sleeps when all in
  * it are at rest or still, but for one or one in sixteen. These movers stay awake, and those asleep
- * are to them as if fixed. A sleeper remembers the force {@code F0} of each mover that leans on
- * him, and the mover where it was; he wakes, with his ring, when {@code max(0, F - F0) + max(F, F0)
- * d/r} exceeds half of his weight or of {@code F0}, when the mover leaves him, or when it comes to
- * touch another sleeper with a momentum above half of what his weight gives him in a tick.
+ * are to them as if fixed. A sleeper remembers the force {@code F0} of each mover that leans on it,
+ * and where that mover was; the sleeper wakes, with its ring, when {@code max(0, F - F0) + max(F,
+ * F0) d/r} exceeds half of its weight or of {@code F0}, when the mover leaves it, or when the mover
+ * comes to touch another sleeper with a momentum above half of what the sleeper's weight gives it
+ * in a tick.
  *
  * <p>Invariants: a ring of sleepers sleeps and wakes as a whole. A body asleep has the kind {@code
  * ASLEEP}, velocity 0, and its rows keep points, impulses and place, but are not active unless the

@@ -3,7 +3,7 @@ package dev.cairn.physics.joint;
 import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.solver.joint.JointMath;
 
-/** What a joint's rows measure, for who asks between steps. */
+/** What a joint's rows measure, for readers between steps. */
 final class JointValues {
     private static final double[] STILL = new double[32];
     private final JointMath math = new JointMath();

@@ -3,7 +3,7 @@ package dev.cairn.physics.profile;
 /** The stages of a physics step, in the order in which they run; {@link StepProfile} times them. */
 public enum StepStage {
     /** Bodies whose entity is gone leave, new fixed ones are placed. */
-    ROSTER,
+    BODIES,
     /** Boxes follow their bodies. */
     BOUNDS,
     /** The broad phase finds pairs of boxes that overlap. */

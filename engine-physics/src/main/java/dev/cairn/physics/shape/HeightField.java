@@ -17,7 +17,7 @@ import java.util.Objects;
  * 1, j + 1). For fixed and kinematic bodies; bodies meet it from above.
  *
  * <p>Immutable. What is dug or heaped up is another field, which shares the samples that are not
- * touched: {@code body.setShape(field.withHeights(...))}. Where nothing differs nobody wakes, and
+ * touched: {@code body.setShape(field.withHeights(...))}. Where nothing differs no body wakes, and
  * contacts keep their impulses.
  *
  * <p>It has an inside, unlike a {@link TriangleMesh}: whose centre is at most {@link #thickness}

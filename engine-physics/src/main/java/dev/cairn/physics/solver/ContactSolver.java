@@ -48,8 +48,8 @@ public final class ContactSolver {
     private static final int WORTH_WIDE = 32_768;
 
     /**
-     * A point touches up to a gap of this share of {@code g h²}: what has landed lies at a gap of 0
-     * but for rounding, and whether it is soft or hard there must not hang on that.
+     * A point touches up to a gap of this share of {@code g h²}: a body that has landed lies at a
+     * gap of 0 but for rounding, and whether it is soft or hard there must not hang on that.
      */
     private static final double TOUCH = 1e-9;
 
@@ -88,7 +88,7 @@ public final class ContactSolver {
     /** Of the batches that one worker has alone. */
     private int kind;
 
-    private Workbench[] benches = {};
+    private WorkerScratch[] locals = {};
 
     /**
      * A solver; one per world.
@@ -129,7 +129,7 @@ public final class ContactSolver {
                     new Passes(
                             tick,
                             k == Batches.FLOATS ? list.floats : list.doubles,
-                            collector.bouncers,
+                            collector.bouncing,
                             collector.sides,
                             supports,
                             assemblies);
@@ -207,7 +207,7 @@ public final class ContactSolver {
                         tick.settings.count(Tunable.FLOATS_FROM),
                         jobs);
         tick.order = batches.order;
-        supports.find(tick, stacked, softPace.seconds(), benches, jobs);
+        supports.find(tick, stacked, softPace.seconds(), locals, jobs);
         for (int k = Batches.FLOATS; k <= Batches.DOUBLES; k++) {
             if (list.count > 0 && batches.hasBodies(k)) {
                 passes[k].ensureCapacity(bodies.slotCount);
@@ -223,7 +223,7 @@ public final class ContactSolver {
             for (kind = Batches.FLOATS; kind <= Batches.DOUBLES; kind++) {
                 choose();
                 lockstep[kind].run(
-                        sub, chosen[kind], supports.settles, supports.riders.found, benches, jobs);
+                        sub, chosen[kind], supports.settles, supports.riders.found, locals, jobs);
                 jobs.run(batch, batches.end(kind) - batches.alone(kind));
             }
         }
@@ -240,10 +240,10 @@ public final class ContactSolver {
         return colouring.size[colour] > 1 ? chosen[kind] : narrow[kind];
     }
 
-    /** The whole tick of a batch: its rows stay in the cache, and nobody waits. */
+    /** The whole tick of a batch: its rows stay in the cache, and no worker waits. */
     private void batch(int block, int worker) {
         Passes p = passes[kind];
-        Workbench own = benches[worker];
+        WorkerScratch own = locals[worker];
         int b = batches.alone(kind) + block;
         if (batches.isSwinging(b)) {
             p.swing(sub, b, batches.firstBody[b], batches.firstBody[b + 1], own);
@@ -267,7 +267,7 @@ public final class ContactSolver {
         if (small) {
             p.lookAtCores(from, to);
         }
-        boolean bounces = collector.bouncers.to(b) > collector.bouncers.from(b);
+        boolean bounces = collector.bouncing.to(b) > collector.bouncing.from(b);
         boolean balls = bounces && p.hasBalls(b);
         if (bounces) {
             p.limit(sub, head, tail);
@@ -388,10 +388,10 @@ public final class ContactSolver {
     }
 
     private void ensureBenches(int workers) {
-        if (benches.length < workers) {
-            benches = new Workbench[workers];
+        if (locals.length < workers) {
+            locals = new WorkerScratch[workers];
             for (int i = 0; i < workers; i++) {
-                benches[i] = new Workbench();
+                locals[i] = new WorkerScratch();
             }
         }
     }

@@ -3,7 +3,7 @@ package dev.cairn.physics.solver;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.joint.Assembly;
-import dev.cairn.physics.solver.joint.Swing;
+import dev.cairn.physics.solver.joint.AssemblyFlight;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.SubStep;
@@ -37,10 +37,10 @@ final class JointPasses {
     }
 
     /** The begin of a tick, before impacts. */
-    void meet(SubStep sub, int from, int to, Workbench bench) {
+    void meet(SubStep sub, int from, int to, WorkerScratch local) {
         for (int a = from; a < to; a++) {
-            open(sub, a, bench);
-            bench.joints.begin(sub);
+            open(sub, a, local);
+            local.joints.begin(sub);
         }
     }
 
@@ -50,27 +50,27 @@ final class JointPasses {
      * @param index of the sub-step
      * @param from first assembly
      */
-    void begin(SubStep sub, int index, int from, int to, Workbench bench) {
+    void begin(SubStep sub, int index, int from, int to, WorkerScratch local) {
         for (int a = from; a < to; a++) {
-            open(sub, a, bench);
-            bench.joints.account(sub);
-            bench.joints.warm(index == 0 ? sub.fillScale : 1);
+            open(sub, a, local);
+            local.joints.account(sub);
+            local.joints.warm(index == 0 ? sub.fillScale : 1);
             show(assemblies.at(a));
-            bench.joints.presses(false);
+            local.joints.presses(false);
         }
     }
 
     /** Closes joints at the end of the bias pass. */
-    void close(SubStep sub, int from, int to, Workbench bench) {
+    void close(SubStep sub, int from, int to, WorkerScratch local) {
         for (int a = from; a < to; a++) {
             takeOver(assemblies.at(a));
-            open(sub, a, bench);
-            bench.joints.presses(true);
+            open(sub, a, local);
+            local.joints.presses(true);
             if (assemblies.at(a).isTaut()) {
-                bench.joints.moves(0.5);
-                bench.swing.cross(tick, sub, assemblies.store, assemblies.at(a));
+                local.joints.moves(0.5);
+                local.swing.cross(tick, sub, assemblies.store, assemblies.at(a));
             } else {
-                bench.joints.position(sub, rows);
+                local.joints.position(sub, rows);
             }
             show(assemblies.at(a));
         }
@@ -79,37 +79,37 @@ final class JointPasses {
     /** After the drift: bodies of taut joints come to where smaller steps have led. */
     void place(int from, int to) {
         for (int a = from; a < to; a++) {
-            Swing.place(tick, assemblies.at(a));
+            AssemblyFlight.place(tick, assemblies.at(a));
             show(assemblies.at(a));
         }
     }
 
     /** Gives joints the derivatives of the new poses. */
-    void turn(SubStep sub, int from, int to, Workbench bench) {
+    void turn(SubStep sub, int from, int to, WorkerScratch local) {
         for (int a = from; a < to; a++) {
-            open(sub, a, bench);
-            bench.joints.turn(refresh);
+            open(sub, a, local);
+            local.joints.turn(refresh);
             boolean counts = !assemblies.at(a).isTaut();
-            bench.joints.beginVelocity(counts, counts);
+            local.joints.beginVelocity(counts, counts);
             show(assemblies.at(a));
-            bench.joints.sweeps(false);
+            local.joints.sweeps(false);
         }
     }
 
     /** Stops what joints do not allow, at the end of the relax pass. */
-    void stop(SubStep sub, int from, int to, Workbench bench) {
+    void stop(SubStep sub, int from, int to, WorkerScratch local) {
         for (int a = from; a < to; a++) {
             takeOver(assemblies.at(a));
-            open(sub, a, bench);
-            bench.joints.sweeps(true);
-            bench.joints.velocity(sub, !assemblies.at(a).isTaut(), rows);
-            bench.joints.settle();
+            open(sub, a, local);
+            local.joints.sweeps(true);
+            local.joints.velocity(sub, !assemblies.at(a).isTaut(), rows);
+            local.joints.settle();
             show(assemblies.at(a));
         }
     }
 
-    private void open(SubStep sub, int a, Workbench bench) {
-        bench.joints.open(tick, sub, assemblies.store, assemblies.at(a));
+    private void open(SubStep sub, int a, WorkerScratch local) {
+        local.joints.open(tick, sub, assemblies.store, assemblies.at(a));
     }
 
     /** Shows the sweeps its bodies as they are now. */

@@ -15,7 +15,7 @@ import dev.cairn.physics.solver.row.SubStep;
  * <p>The bias pass goes over the domains first and over what is between them last, the relax pass
  * the other way round. So nothing comes between the relax pass of a domain and its next bias pass
  * but its own bodies: a worker does both while the rows are in its cache. In both, contacts with
- * what does not move have the last word. Where something bounces, or has lost a load, the sub-step
+ * static bodies have the last word. Where something bounces, or has lost a load, the sub-step
  * begins with work on all of the scene, and the passes are apart.
  *
  * <p>Simulation thread, but for the blocks.
@@ -57,7 +57,7 @@ final class Lockstep {
     private final BlockJob relaxWithin = this::relaxWithin;
 
     private Sweeps chosen;
-    private Workbench[] benches = {};
+    private WorkerScratch[] locals = {};
     private boolean renews;
     private boolean settles;
     private boolean rides;
@@ -114,18 +114,18 @@ final class Lockstep {
      * @param chosen sweeps of this tick
      * @param settles whether warm starts are corrected first, see {@link Passes#settle}
      * @param rides whether some rows are of riders, see {@link Passes#ride}
-     * @param benches by worker
+     * @param locals by worker
      */
     void run(
             SubStep pace,
             Sweeps chosen,
             boolean settles,
             boolean rides,
-            Workbench[] benches,
+            WorkerScratch[] locals,
             Jobs jobs) {
         this.pace = pace;
         this.chosen = chosen;
-        this.benches = benches;
+        this.locals = locals;
         this.settles = settles;
         this.rides = rides;
         base = batches.lockstep(kind);
@@ -133,7 +133,7 @@ final class Lockstep {
         if (isEmpty()) {
             return;
         }
-        joints.of(base, base + 1 + domains, pace, benches);
+        joints.of(base, base + 1 + domains, pace, locals);
         int alone = batches.firstBody[base + 1] - batches.firstBody[base];
         int bodies = batches.firstBody[base + 1 + domains] - batches.firstBody[base];
         int bodyBlocks = Blocks.count(bodies, BODIES_PER_BLOCK);
@@ -143,7 +143,7 @@ final class Lockstep {
         jobs.run(findRenewed, Blocks.count(endPlace(-1) - firstPlace(-1), ROWS_PER_BLOCK));
         substep = 0;
         passes.paceSides(pace, substep, base);
-        bounces = passes.bouncers.to(base) > passes.bouncers.from(base);
+        bounces = passes.bouncing.to(base) > passes.bouncing.from(base);
         balls = bounces && passes.hasBalls(base);
         if (bounces) {
             passes.limit(pace, firstBody(), endBody());
@@ -160,7 +160,7 @@ final class Lockstep {
                 jobs.run(fixedWithin, domains);
                 joints.close(jobs);
             }
-            passes.carry(pace, base, benches[0]);
+            passes.carry(pace, base, locals[0]);
             passes.moveSides(pace, base);
             jobs.run(drift, parts);
             if (joints.any()) {
@@ -188,9 +188,9 @@ final class Lockstep {
         }
         colours(storeRows, jobs);
         for (int d = 0; d < direct(); d++) {
-            passes.learn(pace, base, d, benches[0]);
+            passes.learn(pace, base, d, locals[0]);
         }
-        benches[0].impacts.report();
+        locals[0].impacts.report();
     }
 
     private boolean isEmpty() {
@@ -216,14 +216,14 @@ final class Lockstep {
         joints.meet(substep, jobs);
         if (meets) {
             int end = endPlace(domains - 1);
-            p.impacts(pace, base, firstBody(), endBody(), firstPlace(-1), end, benches[0]);
+            p.impacts(pace, base, firstBody(), endBody(), firstPlace(-1), end, locals[0]);
         }
         jobs.run(kick, bodyBlocks);
         if (settles && substep == 0) {
-            p.settle(pace, firstPlace(-1), endPlace(domains - 1), benches[0]);
+            p.settle(pace, firstPlace(-1), endPlace(domains - 1), locals[0]);
         }
         if (rides) {
-            p.ride(pace, substep, firstPlace(-1), endPlace(domains - 1), benches[0]);
+            p.ride(pace, substep, firstPlace(-1), endPlace(domains - 1), locals[0]);
         }
         joints.begin(substep, jobs);
         jobs.run(biasWithin, domains);
@@ -266,11 +266,11 @@ final class Lockstep {
     }
 
     private void directSoft(int block, int worker) {
-        passes.direct(pace, base, block, true, benches[worker]);
+        passes.direct(pace, base, block, true, locals[worker]);
     }
 
     private void directHard(int block, int worker) {
-        passes.direct(pace, base, block, false, benches[worker]);
+        passes.direct(pace, base, block, false, locals[worker]);
     }
 
     /** A colour of one row is swept by the scalar twin. */
@@ -285,7 +285,7 @@ final class Lockstep {
             return;
         }
         Passes p = passes;
-        Workbench own = benches[worker];
+        WorkerScratch own = locals[worker];
         // to and fro: the domains of the end of the last pass are still in the third cache
         int domain = substep % 2 == 0 ? block : domains - 1 - block;
         int b = base + 1 + domain;
@@ -324,12 +324,12 @@ final class Lockstep {
         int head = bodiesFrom(block);
         int tail = aloneTo(block);
         if (substep > 0) {
-            passes.finish(pace, head, tail, benches[worker]);
+            passes.finish(pace, head, tail, locals[worker]);
         }
         if (substep == pace.count) {
             passes.storeBodies(head, tail);
         } else if (!apart) {
-            passes.kick(pace, substep, head, tail, benches[worker]);
+            passes.kick(pace, substep, head, tail, locals[worker]);
         }
     }
 
@@ -350,7 +350,7 @@ final class Lockstep {
         if (!joints.any()) {
             fixedWithin(block, worker);
         }
-        passes.carry(pace, b, benches[worker]);
+        passes.carry(pace, b, locals[worker]);
         driftBodies(batches.firstBody[b], batches.firstBody[b + 1]);
         passes.moveSides(pace, b);
     }
@@ -371,7 +371,7 @@ final class Lockstep {
                     pace,
                     colouring.start[c],
                     colouring.end[c],
-                    benches[worker]);
+                    locals[worker]);
         }
     }
 
@@ -402,7 +402,7 @@ final class Lockstep {
                 pace,
                 colouring.start[colour],
                 colouring.end[colour],
-                benches[worker]);
+                locals[worker]);
     }
 
     private void storeKinds(int batch) {
@@ -447,7 +447,7 @@ final class Lockstep {
     }
 
     private void prepare(int block, int worker) {
-        passes.prepare(rowKind, sweep, pace, rowsFrom(block), rowsTo(block), benches[worker]);
+        passes.prepare(rowKind, sweep, pace, rowsFrom(block), rowsTo(block), locals[worker]);
     }
 
     private void findRenewed(int block, int worker) {
@@ -459,23 +459,23 @@ final class Lockstep {
     }
 
     private void kick(int block, int worker) {
-        passes.kick(pace, substep, bodiesFrom(block), bodiesTo(block), benches[worker]);
+        passes.kick(pace, substep, bodiesFrom(block), bodiesTo(block), locals[worker]);
     }
 
     private void bias(int block, int worker) {
-        passes.bias(rowKind, sweep, pace, rowsFrom(block), rowsTo(block), benches[worker]);
+        passes.bias(rowKind, sweep, pace, rowsFrom(block), rowsTo(block), locals[worker]);
     }
 
     private void relax(int block, int worker) {
-        passes.relax(rowKind, sweep, pace, rowsFrom(block), rowsTo(block), benches[worker]);
+        passes.relax(rowKind, sweep, pace, rowsFrom(block), rowsTo(block), locals[worker]);
     }
 
     private void takeOut(int block, int worker) {
-        passes.takeOut(rowsFrom(block), rowsTo(block), benches[worker]);
+        passes.takeOut(rowsFrom(block), rowsTo(block), locals[worker]);
     }
 
     private void takeOutWithin(int block, int worker) {
-        passes.takeOut(firstPlace(block), endPlace(block), benches[worker]);
+        passes.takeOut(firstPlace(block), endPlace(block), locals[worker]);
     }
 
     private void renewBodies(int block, int worker) {
@@ -483,11 +483,11 @@ final class Lockstep {
     }
 
     private void renewRows(int block, int worker) {
-        passes.renewRows(pace, substep, rowsFrom(block), rowsTo(block), benches[worker]);
+        passes.renewRows(pace, substep, rowsFrom(block), rowsTo(block), locals[worker]);
     }
 
     private void renewWithin(int block, int worker) {
-        passes.renewRows(pace, substep, firstPlace(block), endPlace(block), benches[worker]);
+        passes.renewRows(pace, substep, firstPlace(block), endPlace(block), locals[worker]);
     }
 
     private void storeRows(int block, int worker) {
@@ -495,6 +495,6 @@ final class Lockstep {
             passes.storeKind(rowKind, pace, rowsFrom(block), rowsTo(block));
             return;
         }
-        passes.storeRows(chosen, pace, renews, rowsFrom(block), rowsTo(block), benches[worker]);
+        passes.storeRows(chosen, pace, renews, rowsFrom(block), rowsTo(block), locals[worker]);
     }
 }

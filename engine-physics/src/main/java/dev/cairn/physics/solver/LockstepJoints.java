@@ -20,7 +20,7 @@ final class LockstepJoints {
     private final BlockJob stop = this::stop;
 
     private SubStep pace = new SubStep();
-    private Workbench[] benches = {};
+    private WorkerScratch[] locals = {};
     private int first;
     private int count;
     private int substep;
@@ -35,11 +35,11 @@ final class LockstepJoints {
      * @param from the first batch
      * @param to the batch after the last
      * @param pace the sub-steps
-     * @param benches by worker
+     * @param locals by worker
      */
-    void of(int from, int to, SubStep pace, Workbench[] benches) {
+    void of(int from, int to, SubStep pace, WorkerScratch[] locals) {
         this.pace = pace;
-        this.benches = benches;
+        this.locals = locals;
         first = passes.assemblies.first(from);
         count = passes.assemblies.first(to) - first;
     }
@@ -83,17 +83,17 @@ final class LockstepJoints {
 
     private void begin(int block, int worker) {
         int a = first + block;
-        passes.joints.begin(pace, substep, a, a + 1, benches[worker]);
+        passes.joints.begin(pace, substep, a, a + 1, locals[worker]);
     }
 
     private void meet(int block, int worker) {
         int a = first + block;
-        passes.joints.meet(pace, a, a + 1, benches[worker]);
+        passes.joints.meet(pace, a, a + 1, locals[worker]);
     }
 
     private void close(int block, int worker) {
         int a = first + block;
-        passes.joints.close(pace, a, a + 1, benches[worker]);
+        passes.joints.close(pace, a, a + 1, locals[worker]);
     }
 
     private void place(int block, int worker) {
@@ -102,11 +102,11 @@ final class LockstepJoints {
 
     private void turn(int block, int worker) {
         int a = first + block;
-        passes.joints.turn(pace, a, a + 1, benches[worker]);
+        passes.joints.turn(pace, a, a + 1, locals[worker]);
     }
 
     private void stop(int block, int worker) {
         int a = first + block;
-        passes.joints.stop(pace, a, a + 1, benches[worker]);
+        passes.joints.stop(pace, a, a + 1, locals[worker]);
     }
 }

@@ -8,7 +8,7 @@ import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.direct.DirectIslands;
 import dev.cairn.physics.solver.graph.Batches;
-import dev.cairn.physics.solver.graph.Bouncers;
+import dev.cairn.physics.solver.graph.BouncingContacts;
 import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.kernel.Rescaling;
@@ -16,7 +16,7 @@ import dev.cairn.physics.solver.kernel.ScalarPasses;
 import dev.cairn.physics.solver.kernel.ScalarSweep;
 import dev.cairn.physics.solver.kernel.SingleScalarSweep;
 import dev.cairn.physics.solver.kernel.Sweeps;
-import dev.cairn.physics.solver.load.Riders;
+import dev.cairn.physics.solver.load.CarriedIslands;
 import dev.cairn.physics.solver.load.SingleStartSweep;
 import dev.cairn.physics.solver.load.StartPass;
 import dev.cairn.physics.solver.load.StartSweep;
@@ -50,9 +50,9 @@ final class Passes {
 
     private final StartPass starts;
     private final StaticStart start;
-    private final Riders riders;
+    private final CarriedIslands riders;
     final DirectIslands direct;
-    final Bouncers bouncers;
+    final BouncingContacts bouncing;
     final Assemblies assemblies;
     final JointPasses joints;
     private final DrivenSides sides;
@@ -60,7 +60,7 @@ final class Passes {
     /**
      * Passes over the rows of one precision.
      *
-     * @param bouncers the contacts with restitution
+     * @param bouncing the contacts with restitution
      * @param sides kinematic bodies that move
      * @param supports what rests on what
      * @param assemblies what hangs together by joints
@@ -68,12 +68,12 @@ final class Passes {
     Passes(
             SolverContext tick,
             ConstraintRows rows,
-            Bouncers bouncers,
+            BouncingContacts bouncing,
             DrivenSides sides,
             Supports supports,
             Assemblies assemblies) {
         this.assemblies = assemblies;
-        this.bouncers = bouncers;
+        this.bouncing = bouncing;
         this.sides = sides;
         this.tick = tick;
         this.rows = rows;
@@ -118,7 +118,7 @@ final class Passes {
      *
      * @param kind of constraint; 0 is contact
      */
-    void prepare(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+    void prepare(int kind, Sweeps sweeps, SubStep sub, int from, int to, WorkerScratch local) {
         if (kind > 0) {
             kinds(kind).prepare(tick, sub, from, to);
             return;
@@ -128,7 +128,7 @@ final class Passes {
             double before = sub.seconds / tick.impulseScale;
             Rescaling.keepLoads(rows, tick.contacts, tick.impulseScale, before, from, to);
         }
-        sweeps.fill(rows, body, tick.contacts, sub, from, to, bench.scratch);
+        sweeps.fill(rows, body, tick.contacts, sub, from, to, local.scratch);
         if (rows.rolling.isUsed) {
             rows.rolling.fill(rows, body, tick.contacts, sub.fillScale, from, to);
         }
@@ -163,7 +163,7 @@ final class Passes {
      *
      * @param index of the sub-step
      */
-    void kick(SubStep sub, int index, int from, int to, Workbench bench) {
+    void kick(SubStep sub, int index, int from, int to, WorkerScratch local) {
         double[] g = tick.gravity;
         double gain = tick.weight() * sub.seconds;
         for (int k = from; k < to; k++) {
@@ -172,7 +172,7 @@ final class Passes {
                 body.addWarm(i);
             }
             if (isGuided(i)) {
-                bench.single.begin(tick, rows, sub, refresh, gain, i);
+                local.single.begin(tick, rows, sub, refresh, gain, i);
             }
             Motion.kick(tick.bodies, body, i, g[0], g[1], g[2], sub.seconds);
             if (rows.isSingle) {
@@ -196,9 +196,9 @@ final class Passes {
     }
 
     /** Corrects the warm start of rows that have lost a load, or know of none yet. */
-    void settle(SubStep sub, int from, int to, Workbench bench) {
+    void settle(SubStep sub, int from, int to, WorkerScratch local) {
         if (start.found) {
-            starts.start(rows, body, tick.contacts, sub, 0, start, from, to, bench.scratch);
+            starts.start(rows, body, tick.contacts, sub, 0, start, from, to, local.scratch);
             refresh.know(rows, tick.contacts, from, to);
         }
         one.settle(
@@ -208,18 +208,18 @@ final class Passes {
                 tick.settings.count(Tunable.UNLOAD_SWEEPS),
                 from,
                 to,
-                bench.scratch);
+                local.scratch);
     }
 
     /** Puts what rides on what speeds up in balance with the load of a sub-step. */
-    void ride(SubStep sub, int index, int from, int to, Workbench bench) {
-        starts.start(rows, body, tick.contacts, sub, index, riders, from, to, bench.scratch);
+    void ride(SubStep sub, int index, int from, int to, WorkerScratch local) {
+        starts.start(rows, body, tick.contacts, sub, index, riders, from, to, local.scratch);
         refresh.know(rows, tick.contacts, from, to);
     }
 
-    void bias(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+    void bias(int kind, Sweeps sweeps, SubStep sub, int from, int to, WorkerScratch local) {
         if (kind > 0) {
-            kinds(kind).bias(tick, sub, from, to, bench.scratch);
+            kinds(kind).bias(tick, sub, from, to, local.scratch);
             return;
         }
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
@@ -227,7 +227,7 @@ final class Passes {
             if (rows.rolling.isUsed) {
                 one.calm(rows, body, j, last);
             }
-            sweeps.bias(rows, body, sub, j, last, bench.scratch);
+            sweeps.bias(rows, body, sub, j, last, local.scratch);
         }
     }
 
@@ -245,14 +245,14 @@ final class Passes {
         }
     }
 
-    /** Measures how far the cores of bodies are from what does not move; rows of doubles. */
+    /** Measures how far the cores of bodies are from static bodies; rows of doubles. */
     void lookAtCores(int from, int to) {
         if (!rows.isSingle) {
             cores.look(rows, tick.contacts, tick.bodies, from, to);
         }
     }
 
-    /** Keeps the cores of what moves out of what does not move; rows of doubles. */
+    /** Keeps the cores of moving bodies out of static ones; rows of doubles. */
     void guard(SubStep sub, int from, int to) {
         if (!rows.isSingle) {
             cores.keepOut(rows, body, sub, from, to);
@@ -260,11 +260,11 @@ final class Passes {
     }
 
     /** Friction of a batch on kinematic bodies, before its bodies move. */
-    void carry(SubStep sub, int batch, Workbench bench) {
+    void carry(SubStep sub, int batch, WorkerScratch local) {
         for (int k = sides.from(batch); k < sides.from(batch + 1); k++) {
             int m = sides.edge(k);
             if (m < rows.list.contacts) {
-                one.carry(rows, body, sub, rows.list.place[m], bench.scratch);
+                one.carry(rows, body, sub, rows.list.place[m], local.scratch);
             }
         }
     }
@@ -288,11 +288,11 @@ final class Passes {
         }
     }
 
-    void takeOut(int from, int to, Workbench bench) {
+    void takeOut(int from, int to, WorkerScratch local) {
         if (rows.drags.isUsed) {
             rows.drags.show(rows, from, to);
         }
-        refresh.unload(rows, body.warm, from, to, bench.renew);
+        refresh.unload(rows, body.warm, from, to, local.renew);
     }
 
     void renewBodies(SubStep sub, int from, int to) {
@@ -309,22 +309,22 @@ final class Passes {
      *
      * @param index of the sub-step; the first one scales what the contacts know
      */
-    void renewRows(SubStep sub, int index, int from, int to, Workbench bench) {
-        refresh.rows(rows, body, tick.contacts, sub, index, from, to, bench.renew);
+    void renewRows(SubStep sub, int index, int from, int to, WorkerScratch local) {
+        refresh.rows(rows, body, tick.contacts, sub, index, from, to, local.renew);
         if (rows.drags.isUsed) {
             rows.drags.hide(rows, from, to);
         }
     }
 
-    void relax(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+    void relax(int kind, Sweeps sweeps, SubStep sub, int from, int to, WorkerScratch local) {
         if (kind > 0) {
-            kinds(kind).relax(tick, sub, from, to, bench.scratch);
+            kinds(kind).relax(tick, sub, from, to, local.scratch);
             return;
         }
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
-            bench.scratch.doubles[Scratch.PACKED] = RowPrefetch.rows(rows, j, last);
-            sweeps.relax(rows, body, sub, j, last, bench.scratch);
+            local.scratch.doubles[Scratch.PACKED] = RowPrefetch.rows(rows, j, last);
+            sweeps.relax(rows, body, sub, j, last, local.scratch);
             if (rows.rolling.isUsed) {
                 one.roll(rows, body, j, last);
             }
@@ -341,14 +341,14 @@ final class Passes {
      *
      * @param index among those of the batch
      */
-    void direct(SubStep sub, int batch, int index, boolean soft, Workbench bench) {
+    void direct(SubStep sub, int batch, int index, boolean soft, WorkerScratch local) {
         DirectIslands islands = direct;
         int island = islands.open(batch, index);
         boolean renewed = false;
         for (int k = islands.firstBody[island]; k < islands.firstBody[island + 1]; k++) {
             renewed |= refresh.stirs(islands.body[k]);
         }
-        bench.direct.run(
+        local.direct.run(
                 rows,
                 body.state,
                 sub,
@@ -357,21 +357,21 @@ final class Passes {
                 renewed,
                 soft,
                 tick.weight() * sub.seconds,
-                bench.scratch.doubles);
+                local.scratch.doubles);
     }
 
     /** The whole tick of a batch of assemblies that touch nothing. */
-    void swing(SubStep sub, int batch, int from, int to, Workbench bench) {
+    void swing(SubStep sub, int batch, int from, int to, WorkerScratch local) {
         for (int a = assemblies.first(batch); a < assemblies.first(batch + 1); a++) {
-            bench.swing.run(tick, sub, assemblies.store, assemblies.at(a));
+            local.swing.run(tick, sub, assemblies.store, assemblies.at(a));
         }
         storeBodies(from, to);
     }
 
     /** What the contacts of such an island have learnt of their loads. */
-    void learn(SubStep sub, int batch, int index, Workbench bench) {
+    void learn(SubStep sub, int batch, int index, WorkerScratch local) {
         if (tick.settings.get(Tunable.OFFSET_GAIN) > 0) {
-            bench.direct.learn(tick, rows, sub, direct, direct.open(batch, index));
+            local.direct.learn(tick, rows, sub, direct, direct.open(batch, index));
         }
     }
 
@@ -386,7 +386,7 @@ final class Passes {
     /** Whether a batch has impacts of two balls. */
     boolean hasBalls(int batch) {
         return Impacts.hasBalls(
-                tick, rows.list, bouncers.row, bouncers.from(batch), bouncers.to(batch));
+                tick, rows.list, bouncing.row, bouncing.from(batch), bouncing.to(batch));
     }
 
     /** Whether a body of a batch may bounce in the next sub-step, see {@link #limit}. */
@@ -400,18 +400,19 @@ final class Passes {
      * @param head first body of the batch
      * @param from first place of its contacts
      */
-    void impacts(SubStep sub, int batch, int head, int tail, int from, int to, Workbench bench) {
+    void impacts(
+            SubStep sub, int batch, int head, int tail, int from, int to, WorkerScratch local) {
         for (int k = head; k < tail; k++) {
             body.impactTime[tick.order[k]] = 0;
             body.shifted[tick.order[k]] = false;
         }
-        if (bench.impacts.run(
+        if (local.impacts.run(
                 tick,
                 rows,
-                bouncers.row,
-                bouncers.impactLimits,
-                bouncers.from(batch),
-                bouncers.to(batch),
+                bouncing.row,
+                bouncing.impactLimits,
+                bouncing.from(batch),
+                bouncing.to(batch),
                 sub.seconds)) {
             for (int k = head; k < tail; k++) {
                 round(tick.order[k]);
@@ -420,7 +421,7 @@ final class Passes {
         }
     }
 
-    void finish(SubStep sub, int from, int to, Workbench bench) {
+    void finish(SubStep sub, int from, int to, WorkerScratch local) {
         double gain = tick.weight() * sub.seconds;
         for (int k = from; k < to; k++) {
             int i = tick.order[k];
@@ -428,7 +429,7 @@ final class Passes {
             if (!isGuided(i)) {
                 Motion.keep(tick.bodies, body, i);
             } else {
-                bench.single.end(tick, rows, sub, refresh, gain, i, bench.scratch);
+                local.single.end(tick, rows, sub, refresh, gain, i, local.scratch);
             }
         }
     }
@@ -455,16 +456,17 @@ final class Passes {
         kinds(kind).store(tick, sub, from, to);
     }
 
-    /** Writes the impulses of contacts back, and tells their bodies what presses on them. */
-    void storeRows(Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, Workbench bench) {
+    /** Writes the impulses of contacts back, and the loads of their bodies. */
+    void storeRows(
+            Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, WorkerScratch local) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
-            bench.scratch.doubles[Scratch.PACKED] =
+            local.scratch.doubles[Scratch.PACKED] =
                     RowPrefetch.results(rows, tick.contacts, j, last);
             if (rows.drags.isUsed) {
                 rows.drags.showImpulses(rows, j, last);
             }
-            sweeps.store(rows, body, tick.contacts, sub, j, last, bench.scratch);
+            sweeps.store(rows, body, tick.contacts, sub, j, last, local.scratch);
             if (rows.rolling.isUsed) {
                 rows.rolling.store(rows, tick.contacts, j, last);
             }

@@ -8,8 +8,8 @@ import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.direct.DirectIslands;
 import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Collector;
+import dev.cairn.physics.solver.load.CarriedIslands;
 import dev.cairn.physics.solver.load.LoadSweep;
-import dev.cairn.physics.solver.load.Riders;
 import dev.cairn.physics.solver.load.StaticStart;
 import dev.cairn.physics.solver.load.Unloading;
 import dev.cairn.physics.solver.row.EdgeList;
@@ -17,9 +17,9 @@ import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
 /**
- * What rests on what, found once a tick before the sub-steps: who has lost a load, who begins at
- * rest, who rides, what inertia a load gives, and which islands are solved directly. Each has a
- * tunable that switches it off.
+ * What rests on what, found once a tick before the sub-steps: which bodies have lost a load, begin
+ * at rest or ride on others, what inertia a load gives, and which islands are solved directly. Each
+ * has a tunable that switches it off.
  *
  * <p>Simulation thread; allocates only when a store has grown.
  */
@@ -33,7 +33,7 @@ final class Supports {
     final StaticStart start = new StaticStart();
 
     /** Bodies on what speeds up. */
-    final Riders riders = new Riders();
+    final CarriedIslands riders = new CarriedIslands();
 
     /** Islands that are solved directly. */
     final DirectIslands direct = new DirectIslands();
@@ -58,13 +58,13 @@ final class Supports {
      *
      * @param stacked whether any two dynamic bodies touch
      * @param softSeconds length of the sub-step by which contacts are soft
-     * @param benches get their room for direct solves
+     * @param locals get their room for direct solves
      */
     void find(
             SolverContext tick,
             boolean stacked,
             double softSeconds,
-            Workbench[] benches,
+            WorkerScratch[] locals,
             Jobs jobs) {
         settles =
                 tick.settings.count(Tunable.UNLOAD_SWEEPS) > 0
@@ -81,7 +81,7 @@ final class Supports {
         settles |= start.found;
         findRiders(tick);
         findLoads(tick, weighs, jobs);
-        findDirect(tick, softSeconds, benches);
+        findDirect(tick, softSeconds, locals);
     }
 
     /** Also on one that stands still: it may start in any tick. */
@@ -139,7 +139,7 @@ final class Supports {
                                 same, jobs);
     }
 
-    private void findDirect(SolverContext t, double softSeconds, Workbench[] benches) {
+    private void findDirect(SolverContext t, double softSeconds, WorkerScratch[] locals) {
         int from = t.settings.count(Tunable.DIRECT_FROM);
         if (from > 0) {
             direct.update(
@@ -149,8 +149,8 @@ final class Supports {
                     t.loaded ? from : Integer.MAX_VALUE,
                     t.weight() * softSeconds * softSeconds,
                     collector.isSame());
-            for (Workbench bench : benches) {
-                bench.direct.reserve(direct);
+            for (WorkerScratch local : locals) {
+                local.direct.reserve(direct);
             }
         }
     }

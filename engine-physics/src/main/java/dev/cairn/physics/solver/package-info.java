@@ -9,13 +9,13 @@
  *
  * <pre>
  *   collect ─ contacts with points get a batch, a colour and a place; bodies without any fly at once
- *   load    ─ what rests under a load is solved with that load's inertia, while it rests, see
+ *   load    ─ bodies at rest under a load are solved with that load's inertia, see
  *             {@code Supports}
  *   prepare ─ weighted arms, effective masses, friction block; the bodies' first warm start
  *   start   ─ once, for what is put up at rest: impulses that hold it, before anything moves
  *   sub-step, four times:
  *     impacts  bounces, each at its own time, before anything is solved
- *     land     points that land, of bodies on one static contact: their blow, at its own time
+ *     land     points that land, of bodies on one static contact: their impact, at its own time
  *     kick     v += h (g + f/m), then the warm start of all contacts of a body at once
  *     bias     normals, soft: overlap is pushed out, gaps close at most to zero
  *     drift    x += h v under load, the parabola without; free rotation, exact or of order 6

@@ -105,7 +105,7 @@ public final class BodyRegistry implements Stateful {
         return world;
     }
 
-    /** Bodies, colliders, boxes, who sleeps, who is about to come or go. */
+    /** Bodies, colliders, boxes, which bodies sleep, which are about to come or go. */
     @Override
     public void state(StateVisitor s) {
         bodies.state(s);
@@ -302,9 +302,9 @@ public final class BodyRegistry implements Stateful {
         placeFixed();
     }
 
-    /** Makes the lists anew if somebody came, went, woke or fell asleep. */
+    /** Makes the lists anew if a body came, went, woke or fell asleep. */
     public void refreshLists() {
-        boolean slept = sleepers.takeRostersStale();
+        boolean slept = sleepers.takeListsStale();
         if (listsStale || slept) {
             rebuildLists();
         }

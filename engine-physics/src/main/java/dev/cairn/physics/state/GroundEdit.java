@@ -12,8 +12,8 @@ import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Ground that becomes another one in a rectangle: who sleeps there wakes, nobody else is disturbed.
- * Between steps. Stateless.
+ * Ground that becomes another one in a rectangle: bodies that sleep there wake, no others are
+ * disturbed. Between steps. Stateless.
  */
 public final class GroundEdit {
     /** Of a ball's radius: how far from what has changed it still wakes. */
@@ -37,7 +37,7 @@ public final class GroundEdit {
     }
 
     /**
-     * Wakes who sleeps at what differs.
+     * Wakes the bodies that sleep where the ground differs.
      *
      * @param ground the collider, still with its old shape
      * @param after its new one, see {@link #edited}

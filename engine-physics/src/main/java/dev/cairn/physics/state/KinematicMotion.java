@@ -75,7 +75,7 @@ public final class KinematicMotion {
         }
     }
 
-    /** Targets, and who moved; slots have room already. */
+    /** Targets, and which bodies moved; slots have room already. */
     void state(StateVisitor s, int slots) {
         s.section("kinematic", this);
         boolean aims = s.value("aims", target.length > 0);
@@ -323,7 +323,7 @@ public final class KinematicMotion {
         double a = (now - before) * first;
         double c = (before - past[p + 6]) * second;
         if (gentle > 0) {
-            // not of a turn, whose end nobody knows
+            // not of a turn, whose end is not known
             if (stood) {
                 return 2 * Math.abs(now) <= gentle ? 2 * now : 0;
             }

@@ -8,8 +8,8 @@ import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
 
 /**
- * Changes of who meets whom, while the world runs: what is told to {@link PairFilter} has the pairs
- * asked anew that it may concern. Simulation thread, between steps; makes no garbage.
+ * Changes, while the world runs, of which pairs collide: what is told to {@link PairFilter} has the
+ * pairs that it concerns filtered anew. Simulation thread, between steps; makes no garbage.
  */
 public final class PairRules {
     private final ColliderStore colliders;

@@ -43,7 +43,9 @@ public final class Publisher {
     private boolean[] failed = {};
     private int failures;
 
-    /** Chunks in which everybody sleeps and is published: nothing is written, nothing looked at. */
+    /**
+     * Chunks in which all bodies sleep and are published: nothing is written, nothing looked at.
+     */
     private boolean[] unchangedChunk = {};
 
     private boolean[] settledInChunk = {};
@@ -57,7 +59,7 @@ public final class Publisher {
     /**
      * A publisher.
      *
-     * @param registry who is there
+     * @param registry the bodies that are there
      */
     public Publisher(BodyRegistry registry) {
         this.registry = registry;
@@ -87,7 +89,7 @@ public final class Publisher {
         }
     }
 
-    /** Which chunks are unchanged is known as long as nobody came, went, woke or fell asleep. */
+    /** Which chunks are unchanged is known as long as no body came, went, woke or fell asleep. */
     private void remember(int chunks) {
         if (unchangedChunk.length < chunks) {
             unchangedChunk = new boolean[failuresInChunk.length];
@@ -153,7 +155,7 @@ public final class Publisher {
         return true;
     }
 
-    /** Whether somebody is published for the first time since he fell asleep. */
+    /** Whether a body is published for the first time since it fell asleep. */
     private boolean settle(Chunk chunk) {
         int[] slots = chunk.in(SLOT);
         int size = chunk.size();

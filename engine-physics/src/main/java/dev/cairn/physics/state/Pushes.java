@@ -26,7 +26,7 @@ public final class Pushes {
         return bodies.kind[s] == BodyStore.STATIC || bodies.kind[s] == BodyStore.KINEMATIC;
     }
 
-    /** What changes nothing wakes nobody. */
+    /** What changes nothing wakes no body. */
     private void wakeUnlessZero(int s, double x, double y, double z) {
         if (x != 0 || y != 0 || z != 0) {
             sleepers.wake(s);

@@ -75,7 +75,7 @@ final class StepEvent extends Event {
         }
         bodies = bodyCount;
         contacts = contactCount;
-        registry = profile.lastNanos(StepStage.ROSTER);
+        registry = profile.lastNanos(StepStage.BODIES);
         bounds = profile.lastNanos(StepStage.BOUNDS);
         pairs = profile.lastNanos(StepStage.PAIRS);
         rows = profile.lastNanos(StepStage.ROWS);

@@ -28,8 +28,8 @@ import dev.cairn.physics.narrowphase.pair.Reach;
  * d/K) where both graze, and next to a meeting for any step that ends before it, so the search
  * converges as Newton's method does.
  *
- * <p>Of who tumbles, |w| is the largest that it may have, and |n x w| no more than that at the
- * start and what w may have changed by; |dw/dt| R is added to K.
+ * <p>Of a body that tumbles, |w| is the largest that it may have, and |n x w| no more than that at
+ * the start and what w may have changed by; |dw/dt| R is added to K.
  *
  * <p>One thread. Allocates nothing.
  */
@@ -81,7 +81,7 @@ public final class FirstMeeting {
     }
 
     /**
-     * A search that ends: who turns a hundred times in a tick, close to another one, is not
+     * A search that ends: a body that turns a hundred times in a tick, close to another one, is not
      * followed to the end.
      *
      * @param narrowPhase measures distances
@@ -97,7 +97,7 @@ public final class FirstMeeting {
     }
 
     /**
-     * Says of whom the next questions are.
+     * Says which shapes the next questions are about.
      *
      * @param first the shape a
      * @param second the shape b
@@ -142,8 +142,8 @@ public final class FirstMeeting {
     }
 
     /**
-     * Whether two that are apart overlap at a later time: then they meet before it, and who does
-     * not ask when needs no search; see {@link #of}.
+     * Whether two that are apart overlap at a later time: then they meet before it, and whoever
+     * need not know when needs no search; see {@link #of}.
      *
      * @param later s
      */

@@ -12,8 +12,8 @@ import dev.cairn.physics.solver.body.Tumbling;
  * <p>With two equal moments in closed form. With three by steps of a fixed length s from the start,
  * and one of the rest: the n-th step's end is kept, and a look at the time t costs one step. Back
  * from the time t = n s + r the same steps are taken in the other order, first -r, then n times -s,
- * so that forwards from there it comes to where it was. Of who turns by more than 128 rad in a tick
- * only what it does in the mean is known.
+ * so that forwards from there it comes to where it was. Of a body that turns by more than 128 rad
+ * in a tick only the mean motion is known.
  *
  * <p>One thread. Allocates nothing, except for the axes of a body that it has not seen.
  */
@@ -172,7 +172,8 @@ public final class FreeTurn {
 
     /**
      * Makes an orientation a unit one that was found by a {@link Flight}, which turns the
-     * orientation of the start: who is struck again and again would double what it lacks each time.
+     * orientation of the start: the error of a body that is struck again and again would double
+     * each time.
      */
     public static void unit(double[] q, int at) {
         double square =

@@ -2,7 +2,7 @@
  * When two shapes that move and turn meet first.
  *
  * <p>Problem: what is fast or spins passes through what is thin between two looks at it. The first
- * meeting of two convex shapes is looked for along their ways, and none is jumped over.
+ * meeting of two convex shapes is looked for along their paths, and none is jumped over.
  *
  * <pre>
  *   Flight (place, velocity, acceleration, spin) ─┐

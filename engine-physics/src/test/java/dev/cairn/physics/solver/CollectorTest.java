@@ -7,7 +7,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.graph.Batches;
-import dev.cairn.physics.solver.graph.Bouncers;
+import dev.cairn.physics.solver.graph.BouncingContacts;
 import dev.cairn.physics.solver.graph.Collector;
 import dev.cairn.physics.solver.graph.Colouring;
 import dev.cairn.physics.solver.joint.Assemblies;
@@ -135,10 +135,10 @@ final class CollectorTest {
                     batches.count + 1,
                     where + ", first colour");
             for (int b = 0; b < batches.count; b++) {
-                Bouncers mine = collector.bouncers;
-                Bouncers theirs = other.collector.bouncers;
-                assertEquals(mine.from(b), theirs.from(b), where + ", bouncers");
-                assertEquals(mine.to(b), theirs.to(b), where + ", bouncers");
+                BouncingContacts mine = collector.bouncing;
+                BouncingContacts theirs = other.collector.bouncing;
+                assertEquals(mine.from(b), theirs.from(b), where + ", bouncing");
+                assertEquals(mine.to(b), theirs.to(b), where + ", bouncing");
                 for (int k = mine.from(b); k < mine.to(b); k++) {
                     assertEquals(mine.row[k], theirs.row[k], where + ", bouncer");
                 }

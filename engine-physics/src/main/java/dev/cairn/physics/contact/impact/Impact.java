@@ -61,7 +61,7 @@ final class Impact {
     private int count;
 
     /** Friction so far, along two tangents, N s. */
-    private double rubbed1, rubbed2;
+    private double friction1, friction2;
 
     /**
      * Sets one side.
@@ -93,7 +93,7 @@ final class Impact {
             double ey = c == 1 ? 1 : 0;
             double ez = c == 2 ? 1 : 0;
             Rotations.rotate(-f.qx, -f.qy, -f.qz, f.qw, ex, ey, ez, column);
-            Halt.inverseInertia(s, body, column[0], column[1], column[2], column);
+            Depenetration.inverseInertia(s, body, column[0], column[1], column[2], column);
             Rotations.rotate(f.qx, f.qy, f.qz, f.qw, column[0], column[1], column[2], column);
             System.arraycopy(column, 0, inverse, 9 * side + 3 * c, 3);
         }
@@ -147,8 +147,8 @@ final class Impact {
             return 0;
         }
         uniform();
-        rubbed1 = 0;
-        rubbed2 = 0;
+        friction1 = 0;
+        friction2 = 0;
         for (int round = 0; round < ROUNDS; round++) {
             sweep();
             double old = sum;
@@ -159,7 +159,7 @@ final class Impact {
             if (!(friction > 0 && sum > 0) || Math.abs(sum - old) <= ROUNDING * sum) {
                 break;
             }
-            rub(friction * sum);
+            slide(friction * sum);
         }
         withoutGain();
         return closing;
@@ -294,7 +294,7 @@ final class Impact {
     }
 
     /** Friction at the middle of the impulses: stops the slip there, or is at its bound. */
-    private void rub(double bound) {
+    private void slide(double bound) {
         middle();
         // two tangents
         double tx = Math.abs(nx) < 0.75 ? 1 : 0;
@@ -316,14 +316,14 @@ final class Impact {
         double u = slip(tx, ty, tz);
         double v = slip(sx, sy, sz);
         double det = k11 * k22 - k12 * k12;
-        double f = rubbed1 - (k22 * u - k12 * v) / det;
-        double g = rubbed2 - (k11 * v - k12 * u) / det;
+        double f = friction1 - (k22 * u - k12 * v) / det;
+        double g = friction2 - (k11 * v - k12 * u) / det;
         double size = Math.sqrt(f * f + g * g);
         double share = size > bound ? bound / size : 1;
-        double df = f * share - rubbed1;
-        double dg = g * share - rubbed2;
-        rubbed1 += df;
-        rubbed2 += dg;
+        double df = f * share - friction1;
+        double dg = g * share - friction2;
+        friction1 += df;
+        friction2 += dg;
         pull(df * tx + dg * sx, df * ty + dg * sy, df * tz + dg * sz);
     }
 
@@ -379,7 +379,7 @@ final class Impact {
 
     private void withoutGain() {
         middle();
-        double share = Gain.share(mass, inverse, before, after, mid);
+        double share = ImpactEnergy.share(mass, inverse, before, after, mid);
         if (share == 1) {
             return;
         }

@@ -21,7 +21,7 @@ final class ImpactQueue {
     /** The row of the two, or -1. */
     int row;
 
-    /** Whether it is no meeting: nobody knows what comes after. */
+    /** Whether it is no meeting: the motion from there on is unknown. */
     boolean isLost;
 
     void clear() {

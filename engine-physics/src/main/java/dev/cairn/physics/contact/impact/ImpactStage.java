@@ -36,9 +36,9 @@ public final class ImpactStage {
     private final ImpactQueue queue = new ImpactQueue();
     private final Impact impact = new Impact();
     private final MovingPair pair;
-    private final Struck bodies;
-    private final Followed followed;
-    private final Ahead ahead;
+    private final StruckBodies bodies;
+    private final TrackedBodies tracked;
+    private final ImpactSearch search;
 
     /** The material of two colliders that have no row. */
     private final ContactStore mixed = new ContactStore();
@@ -46,7 +46,7 @@ public final class ImpactStage {
     /** Orientation and angular velocity of a body. */
     private final double[] state = new double[7];
 
-    private final Outcome outcome;
+    private final ImpactResults results;
 
     /** Meetings of one time: two colliders and their row. */
     private int[] taken = new int[192];
@@ -68,16 +68,16 @@ public final class ImpactStage {
         this.colliders = colliders;
         this.contacts = contacts;
         this.pair = pair;
-        outcome = new Outcome(colliders, contacts);
-        bodies = new Struck(colliders, contacts);
-        followed = new Followed(colliders, contacts, bodies, pair, queue);
-        ahead = new Ahead(colliders, bodies, pair, queue);
+        results = new ImpactResults(colliders, contacts);
+        bodies = new StruckBodies(colliders, contacts);
+        tracked = new TrackedBodies(colliders, contacts, bodies, pair, queue);
+        search = new ImpactSearch(colliders, bodies, pair, queue);
     }
 
     /**
      * Begins a tick.
      *
-     * @param freedom by body, 0 if it is free, 1 if it touches somebody, 2 if it is bound
+     * @param freedom by body, 0 if it is free, 1 if it touches another body, 2 if it is bound
      * @param stepSeconds length of the tick, s
      * @param reachSeconds of the margin, s
      */
@@ -85,10 +85,10 @@ public final class ImpactStage {
         step = stepSeconds;
         reach = reachSeconds;
         pair.use(freedom);
-        followed.begin();
+        tracked.begin();
         bodies.begin(freedom);
-        outcome.clear();
-        outcome.reserve(colliders.bodies.kind.length, contacts.bodyA.length);
+        results.clear();
+        results.reserve(colliders.bodies.kind.length, contacts.bodyA.length);
         queue.clear();
         queue.reserve(contacts.bodyA.length);
         if (mixed.count == 0) {
@@ -99,14 +99,14 @@ public final class ImpactStage {
     /** Nobody meets in this tick. */
     public void skip() {
         bodies.count = 0;
-        outcome.clear();
+        results.clear();
     }
 
     /**
      * Whether two bodies of a row may be struck here.
      *
      * @param row of a contact
-     * @return whether both are convex, of one shape and bound by nothing, and nobody holds them
+     * @return whether both are convex, of one shape, bound by nothing and held by no third body
      */
     public boolean fits(int row) {
         return bodies.fits(row) && !bodies.isHeld(row);
@@ -126,10 +126,10 @@ public final class ImpactStage {
      * A row whose bodies meet.
      *
      * @param time when, s after the tick's start
-     * @param isLost whether they do not, but nobody knows what they do from there on
+     * @param isLost whether they do not, but their motion from there on is unknown
      */
     public void add(int row, double time, boolean isLost) {
-        followed.see(row);
+        tracked.see(row);
         queue.add(time, contacts.colliderA[row], contacts.colliderB[row], 0, 0, row, isLost);
     }
 
@@ -137,15 +137,15 @@ public final class ImpactStage {
      * Strikes all, in the order of their times.
      *
      * @param boxes of the tick
-     * @param starts by collider, where its way is looked at from; written for who is struck
+     * @param starts by collider, where its way is looked at from; written for struck bodies
      * @param bounceSpeed closing speed up to which nothing bounces, m/s
      */
     public void run(BroadPhase boxes, double[] starts, double bounceSpeed) {
         start = starts;
         threshold = bounceSpeed;
         bodies.link();
-        followed.gather(step);
-        ahead.begin(boxes, starts, step);
+        tracked.gather(step);
+        search.begin(boxes, starts, step);
         while (queue.poll()) {
             if (!isOpen()) {
                 continue;
@@ -166,7 +166,7 @@ public final class ImpactStage {
             }
             strikeTaken(first);
         }
-        followed.release();
+        tracked.release();
     }
 
     /** Whether the meeting that was taken out is still to come. */
@@ -187,7 +187,7 @@ public final class ImpactStage {
         taken[3 * takenCount++ + 2] = row;
     }
 
-    /** Strikes those that meet at one time; who meets two is left to the solver. */
+    /** Strikes those that meet at one time; a body that meets two is left to the solver. */
     private void strikeTaken(double time) {
         int count = takenCount;
         takenCount = 0;
@@ -296,7 +296,7 @@ public final class ImpactStage {
         }
         double closing = impact(m, first, second, of.restitution[like], of.friction(like), time);
         if (closing > 0) {
-            outcome.note(row, m, impact.sum);
+            results.note(row, m, impact.sum);
             shift(a, 0, time);
             shift(b, 6, time);
         }
@@ -321,8 +321,8 @@ public final class ImpactStage {
                     pair.time(), first, second, bodies.impacts[a], bodies.impacts[b], row, isLost);
         }
         if (closing > 0) {
-            ahead.follow(a, time);
-            ahead.follow(b, time);
+            search.follow(a, time);
+            search.follow(b, time);
         }
     }
 
@@ -331,7 +331,7 @@ public final class ImpactStage {
         return colliders.bodies.kind[body] == BodyStore.DYNAMIC && bodies.free[body] == 0;
     }
 
-    /** Stops one of two that turn too often in a tick to be followed. */
+    /** Stops one of two that turn too often in a tick to be tracked. */
     private void lose(int first, int second, double time) {
         if (!bodies.fits(first, second)) {
             return;
@@ -361,9 +361,9 @@ public final class ImpactStage {
             double carried = (step - time) * impact.carrier(1 - side, m);
             int body = side == 0 ? a : b;
             int at = end(side, body, side == 0 ? pair.first() : pair.second());
-            outcome.stops[at] += carried * m.normalX;
-            outcome.stops[at + 1] += carried * m.normalY;
-            outcome.stops[at + 2] += carried * m.normalZ;
+            results.stops[at] += carried * m.normalX;
+            results.stops[at + 1] += carried * m.normalY;
+            results.stops[at + 2] += carried * m.normalZ;
         }
     }
 
@@ -377,7 +377,7 @@ public final class ImpactStage {
         int i = end(0, a, f);
         int j = end(1, b, g);
         double[] v = impact.after;
-        double[] stops = outcome.stops;
+        double[] stops = results.stops;
         for (int c = 0; c < 3; c++) {
             double ax = c == 0 ? f.ax : c == 1 ? f.ay : f.az;
             double bx = c == 0 ? g.ax : c == 1 ? g.ay : g.az;
@@ -390,14 +390,14 @@ public final class ImpactStage {
         }
     }
 
-    /** A body's tick ends as it lies and moves at the impact; returns its place in the outcome. */
+    /** A body's tick ends as it lies and moves at the impact; returns its place in the results. */
     private int end(int side, int body, Flight f) {
         bodies.closed[body] = true;
         for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
             contacts.disable(link >> 1);
         }
-        int at = outcome.put(body, f);
-        System.arraycopy(impact.after, 6 * side, outcome.stops, at + 10, 6);
+        int at = results.put(body, f);
+        System.arraycopy(impact.after, 6 * side, results.stops, at + 10, 6);
         return at;
     }
 
@@ -434,7 +434,7 @@ public final class ImpactStage {
         }
         if (bodies.impacts[body]++ == 0) {
             bodies.list[bodies.count++] = body;
-            // told of the way before; who touches others keeps what holds him
+            // told of the way before; a body that touches others keeps the contacts that hold it
             for (int link = bodies.head[body];
                     link >= 0 && bodies.free[body] == 0;
                     link = bodies.next[link]) {
@@ -475,7 +475,7 @@ public final class ImpactStage {
      * The share of the tick after which a body's way was looked at from a new start.
      *
      * @param body slot
-     * @return 0 for who was not struck
+     * @return 0 for a body that was not struck
      */
     public double late(int body) {
         return bodies.count > 0 ? bodies.late[body] : 0;
@@ -483,7 +483,7 @@ public final class ImpactStage {
 
     /**
      * How a body that was struck lay at a share of the tick, not before {@link #late}: into {@code
-     * out}, a unit quaternion, world from body. False for who was not struck.
+     * out}, a unit quaternion, world from body. False for a body that was not struck.
      */
     public boolean lay(int body, double share, double[] out) {
         double late = late(body);
@@ -493,8 +493,8 @@ public final class ImpactStage {
         return late > 0;
     }
 
-    /** Puts who must be somewhere, and tells rows what they struck with; after the solve. */
+    /** Puts bodies where impacts left them, and writes impulses to rows; after the solve. */
     public void report() {
-        outcome.report();
+        results.report();
     }
 }

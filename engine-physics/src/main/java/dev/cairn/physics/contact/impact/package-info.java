@@ -2,9 +2,9 @@
  * Fast bodies meet within a tick: the impact is struck at the time and place of the meeting, and
  * the rest of the tick goes on from there.
  *
- * <p>Problem: a contact has the points and the normal of one moment. Who turns by a radian in a
- * sub-step, or meets several others in a tick, is struck with levers that are none, and what he
- * meets after the first impact nobody has looked for.
+ * <p>Problem: a contact has the points and the normal of one moment. A body that turns by a radian
+ * in a sub-step, or meets several others in a tick, is struck with wrong levers, and what it meets
+ * after the first impact is not in the list of pairs.
  *
  * <pre>
  *   first meetings ─▶ {@link dev.cairn.physics.contact.impact.ImpactQueue}, earliest first
@@ -20,8 +20,8 @@
  * the solver, with the contact of that moment.
  *
  * <p>Invariants: impacts are struck in the order of their times, then of colliders, on one thread;
- * a impact changes no momentum and adds no energy. A tick in which nothing fast meets does not come
- * here.
+ * an impact changes no momentum and adds no energy. A tick in which nothing fast meets does not
+ * come here.
  *
  * <p>Source: B. Mirtich, "Timewarp rigid body simulation" (SIGGRAPH 2000), for the order of events.
  */

@@ -74,7 +74,7 @@ final class SeamMemory {
         load = c.column("load", load, 4);
     }
 
-    /** Saves or restores what is of a tick; what is older nobody reads. */
+    /** Saves or restores what is of a tick; what is older is never read. */
     void state(StateVisitor s, long tick) {
         s.section("seamMemory", this);
         int known = 0;
@@ -164,7 +164,7 @@ final class SeamMemory {
                 position[3 * q + axis] = c.anchors[ContactStore.anchor(p) + side + axis] - lever;
             }
         }
-        int head = ContactStore.head(row) + ContactStore.RUB;
+        int head = ContactStore.head(row) + ContactStore.FRICTION_IMPULSE;
         for (int axis = 0; axis < 3; axis++) {
             friction[4 * r + axis] = sign * c.head[head + axis];
             rolling[3 * r + axis] = c.rolls ? sign * c.rollingImpulse[3 * row + axis] : 0;
@@ -201,7 +201,7 @@ final class SeamMemory {
         loadFriction(r, c, row, isSecond);
     }
 
-    /** Hands on what a record rubbed and rolled with. */
+    /** Hands on the friction and rolling impulses of a record. */
     void loadFriction(int r, ContactStore c, int row, boolean isSecond) {
         double sign = isSecond ? 1 : -1;
         c.setFrictionImpulse(

@@ -15,9 +15,9 @@ import dev.cairn.physics.narrowphase.pair.Reach;
 import java.util.Arrays;
 
 /**
- * Sees all contacts of a collider with what does not move against each other: fixed bodies, the
- * parts of one body, kinematic bodies of one velocity. Where one plane holds the collider off
- * several of these, one row is solved instead of theirs, see {@link SeamPlanes}.
+ * Sees all contacts of a collider with static bodies against each other: fixed bodies, the parts of
+ * one body, kinematic bodies of one velocity. Where one plane holds the collider off several of
+ * these, one row is solved instead of theirs, see {@link SeamPlanes}.
  *
  * <pre>
  *   find  ─▶ rows of a collider and such a neighbour, in blocks of rows

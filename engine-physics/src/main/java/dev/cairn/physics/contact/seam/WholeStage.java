@@ -11,8 +11,8 @@ import dev.cairn.physics.internal.ContactStore;
 import java.util.Arrays;
 
 /**
- * Parts of a body that make one convex shape are solved as that shape: its row, which nobody else
- * sees, stands for those of its parts. So two boxes on a body are the box that they make: its
+ * Parts of a body that make one convex shape are solved as that shape: its row, which no other
+ * stage sees, stands for those of its parts. So two boxes on a body are the box that they make: its
  * corners and no others, its margin and its inner radius, and what contacts remember from tick to
  * tick.
  *
@@ -101,7 +101,7 @@ public final class WholeStage {
     /**
      * Rows of wholes again, before the solve.
      *
-     * @param isHooked whether somebody may have changed rows of parts since {@link #see}
+     * @param isHooked whether a hook may have changed rows of parts since {@link #see}
      */
     public void choose(boolean isHooked) {
         if (groups == 0) {

@@ -2,9 +2,9 @@
  * Several contacts that are one: between points and solve, rows that stand for others.
  *
  * <p>Problem: a level is made of tiles, a body of parts. Each contact alone is right, and yet their
- * sum is not: the side of the next tile stops who slides over it, and how parts share the weight of
- * their body follows from the order in which they are swept. What touches is the surface that the
- * pieces make.
+ * sum is not: the side of the next tile stops a body that slides over it, and how parts share the
+ * weight of their body follows from the order in which they are swept. What touches is the surface
+ * that the pieces make.
  *
  * <pre>
  *   wholes  ─▶ parts of one body that make a convex shape: one row of that shape           ({@link dev.cairn.physics.contact.seam.WholeStage})

@@ -363,7 +363,7 @@ final class CurvedAxis {
         }
     }
 
-    /** A ball's centre against a cylinder or cone: a point and a trapezium in a plane. */
+    /** A ball's centre against two discs and all between: a point and a trapezium in a plane. */
     private void pointAgainst(Pair p, boolean ofB) {
         SolidOfRevolution s = ofB ? p.solidA : p.solidB;
         double y = ofB ? p.dy : -(p.r01 * p.dx + p.r11 * p.dy + p.r21 * p.dz);
@@ -398,8 +398,9 @@ final class CurvedAxis {
             outX = s.sideAcross;
             outY = s.sideAlong;
         } else {
-            // The nearer end of the side; below the base only the lower one.
-            boolean upper = bottom <= 0 && along > 0.5 * slant;
+            // The nearer end of the side; beyond the larger flat only that one's.
+            boolean nearsHigh = along > 0.5 * slant;
+            boolean upper = taper < 0 ? top > 0 || nearsHigh : bottom <= 0 && nearsHigh;
             double radius = upper ? s.highRadius : s.lowRadius;
             double ex = Math.max(0, across - radius);
             double ey = y - (upper ? s.high : s.low);

@@ -67,11 +67,11 @@ final class CurvedContact {
             reference = WarmStartKey.EDGES;
         }
         out.bound = Math.abs(out.deepest() - separation) + axis.gap + 0x1p-46 * pair.scale;
-        // Lines count as a reference of nobody: key 0 with names.
+        // Lines are the reference of neither shape: key 0 with names.
         return reference << 62 | (FeatureIds.of(out) & 0xFFFFFFFFL);
     }
 
-    /** Whose flat the separations are measured from; 0 for nobody's. */
+    /** The shape whose flat the separations are measured from; 0 for neither. */
     private long reference(long before, double hysteresis) {
         double a = Axes.NEVER;
         double b = Axes.NEVER;

@@ -242,7 +242,7 @@ final class FaceRegions {
             double over =
                     sx * (x - number[a]) + sy * (y - number[a + 1]) + sz * (z - number[a + 2]);
             double room = (hollow[t] >> e & 1) != 0 ? slackHollow : slack;
-            // the root only for who is beyond the side
+            // the root only for points beyond the side
             if (over > 0 && over > room * Math.sqrt(sx * sx + sy * sy + sz * sz)) {
                 return false;
             }

@@ -31,7 +31,7 @@ public final class MeshContact {
     private final Manifold result = new Manifold();
     private final TriangleSet.Found found = new TriangleSet.Found();
     private final FaceRegions faces = new FaceRegions();
-    private final LoosePoints loose = new LoosePoints();
+    private final EdgePoints loose = new EdgePoints();
     private final RimSearch rim;
     private final MeshFrame frame = new MeshFrame();
     private final double[] box = new double[6], corner = new double[9];

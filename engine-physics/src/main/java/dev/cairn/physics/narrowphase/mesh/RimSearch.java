@@ -20,11 +20,11 @@ import dev.cairn.physics.shape.polyhedron.Polyhedron;
 final class RimSearch {
     private final NarrowPhase narrowPhase;
     private final FaceRegions faces;
-    private final LoosePoints loose;
+    private final EdgePoints loose;
     private final ConvexHull view = ConvexHull.triangle();
     private final Polyhedron flat = Polyhedron.of(view);
     private final NormalCone cone = new NormalCone();
-    private final CalmRidges calm = new CalmRidges();
+    private final RidgeCulling calm = new RidgeCulling();
     private final TriangleGap gap = new TriangleGap();
     private final RimPoints rims = new RimPoints();
     private final Manifold manifold = new Manifold();
@@ -46,7 +46,7 @@ final class RimSearch {
      * @param narrowPhase collides single triangles
      * @param loose receives the points
      */
-    RimSearch(NarrowPhase narrowPhase, FaceRegions faces, LoosePoints loose) {
+    RimSearch(NarrowPhase narrowPhase, FaceRegions faces, EdgePoints loose) {
         this.narrowPhase = narrowPhase;
         this.faces = faces;
         this.loose = loose;

@@ -176,20 +176,20 @@ final class Cuts {
 
     /** A plane of any direction through a place in the middle half of a box. */
     private double[] drawn(int number, int k, double[] box) {
-        long stream = Draws.mix(seed, 64L * number + k);
+        long stream = CounterRandom.mix(seed, 64L * number + k);
         double[] plane = new double[4];
         double square = 0;
         for (int i = 0; square < 0.01 || square > 1; i += 3) {
             square = 0;
             for (int axis = 0; axis < 3; axis++) {
-                plane[axis] = 2 * Draws.share(stream, i + axis) - 1;
+                plane[axis] = 2 * CounterRandom.share(stream, i + axis) - 1;
                 square += plane[axis] * plane[axis];
             }
         }
         double length = Math.sqrt(square);
         for (int axis = 0; axis < 3; axis++) {
             plane[axis] /= length;
-            double at = 0.25 + 0.5 * Draws.share(stream, -1 - axis);
+            double at = 0.25 + 0.5 * CounterRandom.share(stream, -1 - axis);
             plane[3] += plane[axis] * (box[axis] + at * (box[axis + 3] - box[axis]));
         }
         return plane;

@@ -105,7 +105,7 @@ public final class ConvexUnion {
      *
      * @param shapes of the parts, neither moved nor turned
      * @param poses of their centres: m, unit quaternion
-     * @param like parts of one number may be put together; negative: with nobody
+     * @param like parts of one number may be put together; negative: with none
      * @return those of two and more parts, in the order of their first ones; a part is in one at
      *     most
      */

@@ -3,7 +3,7 @@ package dev.cairn.physics.solver.body;
 import static dev.cairn.physics.solver.body.SolverBodies.V;
 
 /**
- * How a guided body, whose only contact is with what does not move, came through a sub-step: what a
+ * How a guided body, whose only contact is with a static body, came through a sub-step: what a
  * correction at its end, when the impulses are known, starts from.
  */
 public final class MotionRecord {

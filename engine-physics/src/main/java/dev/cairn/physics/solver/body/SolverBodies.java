@@ -55,7 +55,7 @@ public final class SolverBodies {
      */
     public float[] floats = {};
 
-    /** {@link #root} and {@link #warm} for who fills rows of floats. */
+    /** {@link #root} and {@link #warm} for code that fills rows of floats. */
     public float[] rootFloats = {};
 
     public float[] warmFloats = {};
@@ -182,7 +182,7 @@ public final class SolverBodies {
         }
     }
 
-    /** The root of a body for who fills rows of floats; they have no warm start yet. */
+    /** The root of a body for code that fills rows of floats; they have no warm start yet. */
     public void roundRoot(int i) {
         int r = (i + 1) * ROOT;
         for (int k = r; k < r + 9; k++) {

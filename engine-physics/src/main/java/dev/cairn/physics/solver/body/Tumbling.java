@@ -41,7 +41,7 @@ public final class Tumbling {
     /** The largest turn of one step, rad; faster bodies take several. */
     private static final double TURN = 0.25;
 
-    /** So many steps at most; of who turns faster still, only what he does in the mean is known. */
+    /** So many steps at most; of a body that turns faster still, only the mean motion is known. */
     private static final int STEPS = 128;
 
     /** Up to this turn of a step, rad, the iteration converges for any moments. */

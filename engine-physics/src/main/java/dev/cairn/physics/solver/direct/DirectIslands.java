@@ -101,7 +101,7 @@ public final class DirectIslands implements Stateful {
     /** Whether another state was restored, or room was made, since all was found. */
     private boolean renewed;
 
-    /** Who touches whom. */
+    /** Which bodies touch. */
     private int[] firstNeighbour = new int[1];
 
     private int[] neighbour = {};
@@ -376,7 +376,7 @@ public final class DirectIslands implements Stateful {
         return firstNeighbour[i + 1] - firstNeighbour[i];
     }
 
-    /** Lists the contacts by island; what lies on what does not move has the last word. */
+    /** Lists the contacts by island; those with static bodies have the last word. */
     private void sortRows(EdgeList list) {
         Arrays.fill(firstRow, 0, count + 1, 0);
         for (int m = 0; m < list.contacts; m++) {

@@ -6,8 +6,8 @@ import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.SubStep;
 
 /**
- * Solves the contacts of an island together, after a pass has swept them one by one: what presses
- * and what sticks is as the sweeps left it, and for that all impulses are found at once.
+ * Solves the contacts of an island together, after a pass has swept them one by one: which points
+ * press and which stick is as the sweeps left it; with these all impulses are found at once.
  *
  * <p>Problem: a column of 200 boxes leans a little, and its lowest contacts must answer within the
  * tick. A sweep moves that knowledge on by a contact or so, so that the column falls, however stiff

@@ -15,7 +15,7 @@ import java.util.function.IntUnaryOperator;
  *
  * <p>Problem: in lockstep all contacts of a scene stream through the caches in each of the passes,
  * and the workers wait for each other after each colour of each pass. Islands do not see each
- * other; the rows of one that fits the cache stay there for all sub-steps, and nobody waits. So
+ * other; the rows of one that fits the cache stay there for all sub-steps, and no worker waits. So
  * islands are gathered into batches, in the order of their smallest slot, up to {@link #WANTED}
  * rows; what one worker should not have alone goes to batch 0, which all workers solve in lockstep.
  * Islands of more than {@link #LARGEST} rows are cut into {@link Domains}, a batch each, with the
@@ -127,7 +127,7 @@ public final class Batches {
      * Cuts the rows.
      *
      * @param slots of bodies
-     * @param guide tells who has edges
+     * @param guide tells which bodies have edges
      * @param workers that take part
      * @param floatsFrom rows of an island that are floats if there are as many
      * @param assemblies those of the tick; they are told which batch each is in

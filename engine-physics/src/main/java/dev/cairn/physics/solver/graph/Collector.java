@@ -39,7 +39,7 @@ public final class Collector implements Stateful {
     public final Assemblies assemblies;
 
     /** Those of this tick. */
-    public final Bouncers bouncers = new Bouncers();
+    public final BouncingContacts bouncing = new BouncingContacts();
 
     /** By edge: whether it had no impulse at the end of the last tick; whether it bounces. */
     private boolean[] cold = {};
@@ -65,7 +65,10 @@ public final class Collector implements Stateful {
     private int workers;
     private boolean stacked;
 
-    /** What of the edges of this tick is as it was: who binds whom, and what colours follow. */
+    /**
+     * Whether the edges of this tick are those of the last one: which bodies they bind, and what
+     * colours follow.
+     */
     private boolean sameList;
 
     private boolean sameBodies;
@@ -94,8 +97,8 @@ public final class Collector implements Stateful {
     /**
      * Brings rows, guides, batches and colours up to date.
      *
-     * @param guide receives who has edges, see {@link SolverBodies#guide}
-     * @param workerCount who may work at batches
+     * @param guide receives which bodies have edges, see {@link SolverBodies#guide}
+     * @param workerCount workers that may work at batches
      * @param floatsFrom rows of an island that are floats if there are as many
      * @param jobs runs the comparison
      * @return whether any two dynamic bodies touch
@@ -340,7 +343,10 @@ public final class Collector implements Stateful {
         }
     }
 
-    /** Tells who has edges. A body on nothing but one contact with what does not move is guided. */
+    /**
+     * Tells which bodies have edges. A body on nothing but one contact with a static body is
+     * guided.
+     */
     private void bind(int[] guide) {
         Arrays.fill(guide, 0, slots, SolverBodies.FREE);
         stacked = false;
@@ -361,13 +367,13 @@ public final class Collector implements Stateful {
     }
 
     private void listBouncers() {
-        bouncers.begin(list.contacts);
+        bouncing.begin(list.contacts);
         for (int m = 0; m < list.contacts; m++) {
             if (bounces[m]) {
-                bouncers.add(m);
+                bouncing.add(m);
             }
         }
-        bouncers.sort(list, batches);
+        bouncing.sort(list, batches);
     }
 
     private void colour() {

@@ -13,10 +13,10 @@ import java.util.Arrays;
  * bodies that move takes the lowest of 64 colours that both still have free. A body with more
  * neighbours goes on to colours of its own count: they are as exact, only narrow. Contacts without
  * an impulse have colours of their own, before the others: most are gaps, and a whole group of gaps
- * costs little. Edges to what does not move come last, the n-th of a body in the n-th of their
- * colours: the ground has the last word. The colours are a function of the order of the edges
- * alone. Each batch has its own run of colours: those of each kind, contacts last, with the same
- * names in the same order; see {@link Batches}.
+ * costs little. Edges to static bodies come last, the n-th of a body in the n-th of their colours:
+ * the ground has the last word. The colours are a function of the order of the edges alone. Each
+ * batch has its own run of colours: those of each kind, contacts last, with the same names in the
+ * same order; see {@link Batches}.
  *
  * <p>Source: E. Catto, Box3D's constraint graph (2025), but made anew when the edges change.
  */
@@ -45,7 +45,7 @@ public final class Colouring {
     /** The first colour of each batch; one more for the end of the last. */
     public int[] firstColour = new int[2];
 
-    /** The first colour of each batch with contacts, and with those with what does not move. */
+    /** The first colour of each batch with contacts, and with those with static bodies. */
     public int[] firstContact = new int[2];
 
     public int[] firstFixed = new int[2];
@@ -60,13 +60,13 @@ public final class Colouring {
     private int[] next = {};
     private int[] still = {};
 
-    /** By edge: its colour, those against what does not move below 0. */
+    /** By edge: its colour, those against static bodies below 0. */
     private int[] colour = {};
 
     /** By colour of the batch and kind in work and sort: the rows, then the next place. */
     private int[] tally = {};
 
-    /** By kind: colours beyond those with a mask, and colours against what does not move. */
+    /** By kind: colours beyond those with a mask, and colours against static bodies. */
     private int[] more = {};
 
     private int[] fixed = {};

@@ -38,7 +38,7 @@ public final class Domains {
     /** By slot of a large island: its domain; below 0 while it has none. */
     int[] of = {};
 
-    /** By slot: its contacts with what does not move. */
+    /** By slot: its contacts with static bodies. */
     private int[] held = {};
 
     /** By slot: where its neighbours start in {@link #neighbours}, then where they end. */

@@ -99,7 +99,7 @@ public final class BallImpacts {
     void begin(
             ConstraintRows constraintRows,
             SolverContext tick,
-            int[] bouncers,
+            int[] bouncing,
             int bouncersEnd,
             double subStep,
             double restitutionThreshold) {
@@ -109,7 +109,7 @@ public final class BallImpacts {
         store = tick.bodies;
         contacts = tick.contacts;
         g = tick.gravity;
-        bouncer = bouncers;
+        bouncer = bouncing;
         end = bouncersEnd;
         h = subStep;
         soon = rows.isSingle ? Impacts.SOON_SINGLE : Impacts.SOON;

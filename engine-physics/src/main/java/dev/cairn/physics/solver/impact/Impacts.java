@@ -65,7 +65,7 @@ public final class Impacts {
     /** Velocities of both bodies before the impact. */
     private final double[] before = new double[12];
 
-    private final MultiPointImpact blow = new MultiPointImpact();
+    private final MultiPointImpact impact = new MultiPointImpact();
 
     private double soon;
 
@@ -221,7 +221,7 @@ public final class Impacts {
         a = look.link[place * LINK];
         b = look.link[place * LINK + 1];
         points = look.link[place * LINK + COUNT];
-        blow.open(look, place, body);
+        impact.open(look, place, body);
     }
 
     private boolean impact(double restitution, double[] g, double h, double threshold) {
@@ -234,17 +234,17 @@ public final class Impacts {
                         + d[o + 2 * lanes] * (f[5] - f[2]);
         double time = Double.POSITIVE_INFINITY;
         for (int p = 0; p < points; p++) {
-            time = Math.min(time, timeOfImpact(blow.gap(p), blow.speed(p), an, h, threshold));
+            time = Math.min(time, timeOfImpact(impact.gap(p), impact.speed(p), an, h, threshold));
         }
         if (time == Double.POSITIVE_INFINITY) {
             return false;
         }
         double flush = FLUSH * RowArithmetic.reach(d, o, lanes, points);
         for (int p = 0; p < points; p++) {
-            double v = blow.speed(p);
-            double now = blow.gap(p);
+            double v = impact.speed(p);
+            double now = impact.gap(p);
             double at = now + time * (v + 0.5 * time * an);
-            blow.goal[p] =
+            impact.goal[p] =
                     at <= flush + soon * now
                             ? Math.max(0, -restitution * (v + time * an))
                             : Double.NaN;
@@ -306,21 +306,21 @@ public final class Impacts {
         WarmStart.addNormals(look, bodies.warm, place, o, -1);
         WarmStart.addFriction(look, bodies.warm, place, o, -1);
         for (int p = 0; p < points; p++) {
-            d[blow.point(p) + IMPULSE * lanes] = 0;
+            d[impact.point(p) + IMPULSE * lanes] = 0;
         }
         for (int k = 0; k < 3; k++) {
             d[o + (LAMBDA + k) * lanes] = 0;
         }
-        blow.uniform(early);
-        blow.newton(early);
+        impact.uniform(early);
+        impact.newton(early);
         boolean hasFriction = d[o + FRICTION * lanes] > 0;
         if (hasFriction) {
             ScalarFriction.solve(d, o, lanes, body, a, b, points);
         }
         double share = shareWithoutGain(time);
         for (int p = 0; p < points; p++) {
-            d[o + (SUM + p) * lanes] += share * d[blow.point(p) + IMPULSE * lanes];
-            d[blow.point(p) + IMPULSE * lanes] = 0;
+            d[o + (SUM + p) * lanes] += share * d[impact.point(p) + IMPULSE * lanes];
+            d[impact.point(p) + IMPULSE * lanes] = 0;
         }
         for (int k = 0; k < 3 && hasFriction; k++) {
             d[o + (TOTAL + k) * lanes] += share * d[o + (LAMBDA + k) * lanes];
@@ -388,7 +388,7 @@ public final class Impacts {
         shift(store, bodies, at, old, q, time);
     }
 
-    /** The same, for who keeps no time of impacts. */
+    /** The same, for callers that keep no time of impacts. */
     public static void shift(
             BodyStore store, SolverBodies bodies, int at, double[] old, int q, double time) {
         double[] body = bodies.state;

@@ -40,7 +40,10 @@ final class TurnedRows {
 
     private final double[] friction = new double[3];
 
-    /** Makes room for all rows, in the tick in which they get theirs: who is turned comes late. */
+    /**
+     * Makes room for all rows, in the tick in which they get theirs: which bodies are turned shows
+     * late.
+     */
     void ensureCapacity(int rows) {
         if (indexOf.length < rows) {
             indexOf = Arrays.copyOf(indexOf, rows);

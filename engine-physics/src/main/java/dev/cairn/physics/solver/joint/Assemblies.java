@@ -125,8 +125,8 @@ public final class Assemblies implements Stateful {
     }
 
     /**
-     * Notes which contacts of a list are between an assembly and what does not move, or what moves
-     * by itself and touches no other assembly.
+     * Notes which contacts of a list are between an assembly and static bodies, or what moves by
+     * itself and touches no other assembly.
      */
     public void stand(EdgeList list) {
         for (int a = 0; a < all.size(); a++) {

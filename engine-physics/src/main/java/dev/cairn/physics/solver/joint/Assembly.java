@@ -20,13 +20,13 @@ public final class Assembly {
         double[] x();
     }
 
-    /** Patience beyond which it is taken to fail always. */
-    private static final int ROUGH = 16;
+    /** A wait, in sub-steps, beyond which Newton's method is taken to fail always. */
+    private static final int LONG_BACK_OFF = 16;
 
     /** Most ticks for which a net is solved by factors before gradients are tried again. */
     private static final int CAUTIOUS = 128;
 
-    /** Points of a contact, of which each has a number in {@link #blows}. */
+    /** Points of a contact, of which each has a number in {@link #impactImpulses}. */
     static final int POINTS = 4;
 
     /** Contacts for which there is room at first. */
@@ -116,11 +116,11 @@ public final class Assembly {
 
     int parts = 1;
 
-    /** Sub-steps that it is still solved roughly, as Newton's method has failed. */
-    int rough;
+    /** Sub-steps that it is still solved by one projection, as Newton's method has failed. */
+    int approximateSteps;
 
-    /** For how many it will be if that fails again. */
-    int patience = 1;
+    /** For how many it will be if Newton's method fails again. */
+    int backOff = 1;
 
     /** Whether a motor or a spring acts in it. */
     boolean isDriven;
@@ -148,13 +148,13 @@ public final class Assembly {
     /** Whether {@link #derivative} is that of the present poses. */
     boolean isFresh;
 
-    /** Whether all rows are locks: who holds never changes. */
+    /** Whether all rows are locks: which rows hold never changes. */
     boolean isRigid = true;
 
-    /** Whether joints close loops, by what does not move too: rows may depend on each other. */
+    /** Whether joints close loops, by static bodies too: rows may depend on each other. */
     final boolean isLooped;
 
-    /** Whether a joint ties it to what does not move. */
+    /** Whether a joint ties it to a static body. */
     final boolean isGrounded;
 
     /** Velocities and marks, and impulses, before a half: impulses that are none leave rounding. */
@@ -172,26 +172,26 @@ public final class Assembly {
     final double[] begun;
 
     /**
-     * Edges of its contacts by the list of the tick: first those with what does not move, then
-     * those with bodies that no joint holds and that touch no other assembly. How many there are of
-     * the first, and of both.
+     * Edges of its contacts by the list of the tick: first those with static bodies, then those
+     * with bodies that no joint holds and that touch no other assembly. How many there are of the
+     * first, and of both.
      */
     int[] stand = new int[ROOM];
 
     int standCount;
     int touchCount;
 
-    /** Whether a contact of it is with what does not move, in rows of whichever precision. */
+    /** Whether a contact of it is with static bodies, in rows of whichever precision. */
     boolean touchesFixed;
 
     /**
      * By point of these: impulse that {@code ContactCoupling} gave in the sub-step; whether any.
      */
-    double[] blows = new double[POINTS * ROOM];
+    double[] impactImpulses = new double[POINTS * ROOM];
 
     boolean gives;
 
-    /** Notes a contact with what does not move; those come first. */
+    /** Notes a contact with static bodies; those come first. */
     void stand(int edge) {
         touch(edge);
         standCount++;
@@ -201,20 +201,20 @@ public final class Assembly {
     void touch(int edge) {
         if (touchCount == stand.length) {
             stand = Arrays.copyOf(stand, 2 * touchCount + 4);
-            blows = new double[POINTS * stand.length];
+            impactImpulses = new double[POINTS * stand.length];
         }
         stand[touchCount++] = edge;
     }
 
     /** Whether Newton's method fails again and again. */
-    boolean isRough() {
-        return rough > 0 && patience > ROUGH;
+    boolean keepsFailing() {
+        return approximateSteps > 0 && backOff > LONG_BACK_OFF;
     }
 
     /** A step begins. */
     void calm() {
-        rough = Math.max(0, rough - 1);
-        patience = rough == 0 ? Math.max(1, patience / 2) : patience;
+        approximateSteps = Math.max(0, approximateSteps - 1);
+        backOff = approximateSteps == 0 ? Math.max(1, backOff / 2) : backOff;
     }
 
     /** A tick begins: whether conjugate gradients may be tried, if it is a net. */
@@ -244,10 +244,10 @@ public final class Assembly {
 
     /** Writes them: what is known of frequencies under tension fades, see {@link Tension}. */
     void remember(double[] into, int at) {
-        into[at] = rough;
+        into[at] = approximateSteps;
         into[at + 1] = account;
         into[at + 2] = level;
-        into[at + 3] = patience;
+        into[at + 3] = backOff;
         into[at + 4] = opened;
         into[at + 5] = caution;
         System.arraycopy(quick, 0, into, at + 6, quick.length);
@@ -255,10 +255,10 @@ public final class Assembly {
 
     /** Reads them. */
     void recall(double[] from, int at) {
-        rough = (int) from[at];
+        approximateSteps = (int) from[at];
         account = from[at + 1];
         level = from[at + 2];
-        patience = (int) from[at + 3];
+        backOff = (int) from[at + 3];
         opened = (int) from[at + 4];
         caution = (int) from[at + 5];
         System.arraycopy(from, at + 6, quick, 0, quick.length);
@@ -290,7 +290,7 @@ public final class Assembly {
             grounded |= i < 0;
         }
         isGrounded = grounded;
-        // a tree has as many edges as nodes less one; what does not move is one node
+        // a tree has as many edges as nodes less one; all static bodies are one node
         isLooped = joint.length > body.length - (isGrounded ? 0 : 1);
         Elimination order = new Elimination(body.length, rows, end);
         hasFactors = order.isSparse;

@@ -128,7 +128,7 @@ abstract class AssemblyEquations {
         return sum;
     }
 
-    /** Makes the factors, if rows or who holds have changed. */
+    /** Makes the factors, if rows, or which of them hold, have changed. */
     void factor(boolean moves) {
         boolean same = s.isFactored;
         for (int k = 0; k < s.joint.length; k++) {
@@ -166,7 +166,7 @@ abstract class AssemblyEquations {
 
     /** A motor that is not at its most keeps its speed. */
     double slack(int k, int r) {
-        boolean isHard = s.rough == 0 && !isClosing;
+        boolean isHard = s.approximateSteps == 0 && !isClosing;
         return isHard || store.role[row(k, r)] >= JointStore.MOTOR ? SLACK : SOFT;
     }
 

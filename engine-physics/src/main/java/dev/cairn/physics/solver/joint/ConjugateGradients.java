@@ -18,8 +18,8 @@ import java.util.Arrays;
  * energy away: where b is the speed of the rows, each round goes to the least energy of motion that
  * its directions reach.
  *
- * <p>Sums run in the order of joints, so bits do not depend on who solves. A round costs one pass
- * over the rows. Allocates when it is made.
+ * <p>Sums run in the order of joints, so bits do not depend on which worker solves. A round costs
+ * one pass over the rows. Allocates when it is made.
  */
 final class ConjugateGradients implements Assembly.Matrix {
     private static final int BODY = BlockFactors.BODY;

@@ -44,7 +44,7 @@ import java.util.Arrays;
  * the inverse, as in D. Baraff, "Linear-time dynamics using Lagrange multipliers" (1996), section
  * 7.
  */
-abstract class ContactCoupling extends GapClosing {
+abstract class ContactCoupling extends PositionCorrection {
     private static final int SWEEPS = 100;
 
     /** Share of a change, of the largest impulse, at which points agree. */
@@ -101,10 +101,10 @@ abstract class ContactCoupling extends GapClosing {
     }
 
     /**
-     * Takes what was given here out of the next warm start, at the end of a sub-step. It was a blow
-     * or is still to be found by the sweeps; given again as if it were a load, it would throw the
-     * assembly off. So would the friction of a blow, which stopped a wheel that spun: it is left
-     * what the normal impulses that stay allow.
+     * Takes what was given here out of the next warm start, at the end of a sub-step. It was an
+     * impact or is still to be found by the sweeps; given again as if it were a load, it would
+     * throw the assembly off. So would the friction of an impact, which stopped a wheel that spun:
+     * it is left what the normal impulses that stay allow.
      *
      * @return share of what was given here that may be a load: no more than the assembly weighs
      */
@@ -112,7 +112,7 @@ abstract class ContactCoupling extends GapClosing {
         double given = 0;
         for (int e = 0; e < s.touchCount && s.gives; e++) {
             for (int p = 0; p < rows.points(rows.list.place[s.stand[e]]); p++) {
-                given += Math.max(0, s.blows[Assembly.POINTS * e + p]);
+                given += Math.max(0, s.impactImpulses[Assembly.POINTS * e + p]);
             }
         }
         double load = given > 0 ? mass(rows) * tick.weight() * seconds : 0;
@@ -134,7 +134,7 @@ abstract class ContactCoupling extends GapClosing {
         for (int p = 0; p < rows.points(j); p++) {
             int q = o + (POINT + p * POINT_FIELDS) * rows.lanes;
             int l = q + IMPULSE * rows.lanes;
-            double part = Math.min(s.blows[Assembly.POINTS * e + p], rows.doubles[l]);
+            double part = Math.min(s.impactImpulses[Assembly.POINTS * e + p], rows.doubles[l]);
             if (part > 0) {
                 rows.doubles[l] -= part;
                 takeBack(rows, m, o, q, ARM_B, part);
@@ -403,7 +403,7 @@ abstract class ContactCoupling extends GapClosing {
             load(d, lanes, p, l);
             d[field[p] + IMPULSE * lanes] += l;
             d[sum[p]] += isLast ? l : 0;
-            s.blows[place[p]] += l;
+            s.impactImpulses[place[p]] += l;
             int o = Math.abs(link[p]);
             add(d, lanes, normal[p], arm(p, lanes), o, link[p] < 0 ? -l : l, v, o);
             if (free[p] != 0) {

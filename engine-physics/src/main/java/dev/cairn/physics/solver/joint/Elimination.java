@@ -13,7 +13,7 @@ import java.util.PriorityQueue;
  * pivot, and one on bodies that other joints hold already has hardly any: it waits until the bodies
  * that have gone on its sides can move in as many ways as it has rows.
  *
- * <p>Made when who is bound to whom changes; allocates.
+ * <p>Made when the graph of joints changes; allocates.
  */
 final class Elimination {
     /** More blocks than so many to a node do not pay. */

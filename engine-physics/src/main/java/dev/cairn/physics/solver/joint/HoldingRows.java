@@ -10,7 +10,7 @@ abstract class HoldingRows extends AssemblyEquations {
     /** Up to this the search may end with a round that gains little, or with the last one. */
     static final double NEARLY = 1e-9;
 
-    /** Changes of who holds in one half. */
+    /** Changes of which rows hold, in one half. */
     private static final int CHANGES = 8;
 
     /**

@@ -48,7 +48,7 @@ public final class JointMath {
 
     final double[] placeB = new double[3];
     private final Gearing gearing = new Gearing();
-    private final Railing railing = new Railing();
+    private final CurveRows curve = new CurveRows();
 
     /** Frame of B in that of A. */
     private final double[] q = new double[4];
@@ -165,7 +165,7 @@ public final class JointMath {
             case JointStore.CROSS -> dot(axesB, 3, axesA, 0);
             case JointStore.DISTANCE -> SolverBodies.norm(gap[0], gap[1], gap[2]);
             case JointStore.PATH, JointStore.PATH + 1, JointStore.ALONG ->
-                    railing.measure(this, s, j, law);
+                    curve.measure(this, s, j, law);
             default -> Gearing.measure(this, s, j, law);
         };
     }
@@ -174,7 +174,7 @@ public final class JointMath {
      * What a joint remembers of where it is goes along; after {@link #look}, in the solver only.
      */
     void advance(JointStore s, int j) {
-        railing.advance(this, s, j);
+        curve.advance(this, s, j);
     }
 
     double twist() {
@@ -222,7 +222,7 @@ public final class JointMath {
                 force(g, 0, d, o);
             }
             case JointStore.PATH, JointStore.PATH + 1, JointStore.ALONG -> {
-                railing.direction(this, s, j, law, g);
+                curve.direction(this, s, j, law, g);
                 force(g, 0, d, o);
             }
             default -> gearing.derive(this, s, j, law, d, o);

@@ -29,7 +29,7 @@ import java.util.Arrays;
  * <pre>
  *   AssemblyEquations   rows in the present poses, and the linear system
  *   HoldingRows         which limits, motors and springs are equations, by trial
- *   GapClosing          what is open already is closed aside
+ *   PositionCorrection  what is open already is closed aside
  *   ContactCoupling     what it stands on is solved with it
  *   JointWork           what motors and springs may give, and the way back
  *   VelocityHalf        what joints do not allow is taken from the velocities
@@ -46,7 +46,7 @@ import java.util.Arrays;
  */
 public final class JointSolve extends PositionTrial {
     /** Most sub-steps until Newton's method is tried again where it has failed. */
-    static final int ROUGH = 128;
+    static final int LONGEST_BACK_OFF = 128;
 
     /** Rounds of Newton's method for what stands on something: light wheels turn far. */
     private static final int STANDING = 24;
@@ -99,7 +99,7 @@ public final class JointSolve extends PositionTrial {
             return;
         }
         s.calm();
-        Arrays.fill(s.blows, 0, Assembly.POINTS * s.touchCount, 0.0);
+        Arrays.fill(s.impactImpulses, 0, Assembly.POINTS * s.touchCount, 0.0);
         derive();
         double most = GAIN * kinetic();
         for (int k = 0; k < s.joint.length; k++) {
@@ -172,7 +172,7 @@ public final class JointSolve extends PositionTrial {
 
     /**
      * Begin of a tick: bodies may be elsewhere, and weigh otherwise. Before impacts, which shift
-     * who is struck by what he would have moved until then: that is no gap.
+     * struck bodies by the way that they would have gone until then: that is no gap.
      */
     public void begin(SubStep sub) {
         choose();
@@ -280,7 +280,7 @@ public final class JointSolve extends PositionTrial {
         double almost = s.touchCount > 0 ? ALMOST : NEARLY;
         boolean asks = true;
         for (int round = 0; round < rounds; round++) {
-            if (s.rough > 0) {
+            if (s.approximateSteps > 0) {
                 project(most);
                 break;
             }
@@ -293,7 +293,7 @@ public final class JointSolve extends PositionTrial {
             boolean changed = !s.isRigid && asks && hold(round, last);
             asks = s.isRigid || !changed || !isFirm();
             if (!asks) {
-                // who is tried next has as many rounds as the first
+                // the rows that are tried next have as many rounds as the first
                 again();
                 rounds = round + 1 + each;
                 last = Double.POSITIVE_INFINITY;
@@ -316,8 +316,8 @@ public final class JointSolve extends PositionTrial {
                     restore();
                 }
                 if (!isHeld) {
-                    s.rough = s.patience;
-                    s.patience = Math.min(4 * s.patience, ROUGH);
+                    s.approximateSteps = s.backOff;
+                    s.backOff = Math.min(4 * s.backOff, LONGEST_BACK_OFF);
                 }
                 project(most);
                 break;
@@ -351,7 +351,7 @@ public final class JointSolve extends PositionTrial {
     }
 
     /**
-     * Where contacts bear a load, and none of them a blow, all bodies move as those that are
+     * Where contacts bear a load, and none of them an impact, all bodies move as those that are
      * loaded: {@code x' = x + h v'}, with the velocity that holds at the sub-step's end, not along
      * the parabola. What hangs on the others would else fall by {@code g h/2} in the first half and
      * be caught in the second, and contacts be asked for two loads in turn, of which they begin

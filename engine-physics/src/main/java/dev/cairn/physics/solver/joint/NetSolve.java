@@ -105,7 +105,7 @@ final class NetSolve {
         return true;
     }
 
-    /** Begin of a tick: distance, what does not move, and last impulses of a joint. */
+    /** Begin of a tick: distance, static bodies, and last impulses of a joint. */
     private void look(int p) {
         int k = net.joint[p];
         int j = s.joint[k];
@@ -164,8 +164,8 @@ final class NetSolve {
      * The position half of a step of what touches nothing ends. What its velocity half would take
      * from the velocities the position half of the next step takes, too, as both push along {@code
      * J(x')^T}: all positions are the same without it (RATTLE's are SHAKE's). So it is left out
-     * where nobody sees the velocities, but in nets that whip, which two halves keep closer
-     * together, and in those that are compared with factors.
+     * where velocities are not seen, but in nets that whip, which two halves keep closer together,
+     * and in those that are compared with factors.
      */
     void flow(boolean isLast) {
         flows = false;
@@ -375,7 +375,7 @@ final class NetSolve {
         }
     }
 
-    /** Closes what is open by moving bodies, without any speed; see {@link GapClosing}. */
+    /** Closes what is open by moving bodies, without any speed; see {@link PositionCorrection}. */
     private void close(double h) {
         double reach = push * Math.abs(h);
         double worst = 0;
@@ -408,8 +408,8 @@ final class NetSolve {
         for (int n = 0; n < s.body.length; n++) {
             double way = SolverBodies.norm(x[3 * n], x[3 * n + 1], x[3 * n + 2]);
             double angle = SolverBodies.norm(t[3 * n], t[3 * n + 1], t[3 * n + 2]);
-            part = GapClosing.cut(part, way, reach);
-            part = GapClosing.cut(part, angle, turn);
+            part = PositionCorrection.cut(part, way, reach);
+            part = PositionCorrection.cut(part, angle, turn);
         }
         double[] v = tick.body.state;
         for (int n = 0; n < s.body.length; n++) {

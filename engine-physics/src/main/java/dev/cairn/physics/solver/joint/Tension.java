@@ -68,7 +68,7 @@ final class Tension {
 
     /** Steps to a sub-step of a taut assembly that touches something. */
     static int parts(Assembly s, double quick) {
-        return s.isDirect && !s.isRough() ? parts(quick, SLOW) : 1;
+        return s.isDirect && !s.keepsFailing() ? parts(quick, SLOW) : 1;
     }
 
     /** The same of one that touches nothing. */

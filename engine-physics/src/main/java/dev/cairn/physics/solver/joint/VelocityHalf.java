@@ -95,7 +95,7 @@ abstract class VelocityHalf extends JointWork {
     }
 
     /**
-     * The same with contacts with what does not move.
+     * The same with contacts with static bodies.
      *
      * @param rows of the contacts
      */
@@ -139,8 +139,8 @@ abstract class VelocityHalf extends JointWork {
     }
 
     /**
-     * What limits passed on of a blow is no first guess for the next sub-step: a stop that caught a
-     * car would throw it up. Locks are equations, which take a wrong guess back.
+     * What limits passed on of an impact is no first guess for the next sub-step: a stop that
+     * caught a car would throw it up. Locks are equations, which take a wrong guess back.
      *
      * @param share of what has come to them in the sub-step that may be a load
      */

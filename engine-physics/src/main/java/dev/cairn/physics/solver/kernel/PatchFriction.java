@@ -66,9 +66,9 @@ public final class PatchFriction {
 
     /**
      * A contact whose friction starts with more than four times what its normals now allow,
-     * squared, has the warm start of a blow. What it loses of it pushes the bodies along the normal
-     * too, so that the two have to agree anew, as in a contact that begins: else a cluster of boxes
-     * gained energy.
+     * squared, has the warm start of an impact. What it loses of it pushes the bodies along the
+     * normal too, so that the two have to agree anew, as in a contact that begins: else a cluster
+     * of boxes gained energy.
      */
     public static final double STALE = 16;
 

@@ -34,8 +34,8 @@ public final class RollingFriction {
     }
 
     /**
-     * Takes what a blow has left out of the start of a sub-step, of a range of rows of one colour
-     * before their bias pass: bodies turn with it before the relax pass could take it out.
+     * Takes what an impact has left out of the start of a sub-step, of a range of rows of one
+     * colour before their bias pass: bodies turn with it before the relax pass could take it out.
      */
     static void calm(ConstraintRows rows, SolverBodies bodies, int from, int to) {
         double[] body = bodies.state;

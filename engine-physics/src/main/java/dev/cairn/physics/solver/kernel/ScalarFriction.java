@@ -58,7 +58,7 @@ public final class ScalarFriction {
         return normal;
     }
 
-    /** Whether friction has the warm start of a blow, see {@link PatchFriction#STALE}. */
+    /** Whether friction has the warm start of an impact, see {@link PatchFriction#STALE}. */
     static boolean isStale(double[] d, int o, int lanes, int points) {
         double limit = d[o + FRICTION * lanes] * RowArithmetic.sum(d, o, lanes, points);
         double f1 = d[o + LAMBDA * lanes];

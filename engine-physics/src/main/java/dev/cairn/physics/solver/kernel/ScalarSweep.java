@@ -96,7 +96,7 @@ public final class ScalarSweep implements ScalarPasses {
             int a = link[l];
             int b = link[l + 1];
             ScalarNormals.separate(d, o, lanes, body, a, b, n);
-            // a contact without a warm start, or with that of a blow, has its normals and its
+            // a contact without a warm start, or with that of an impact, has its normals and its
             // friction still to agree on who stops what
             boolean cold = d[o + COLD * lanes] > 0;
             boolean moved = hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, HARD, st);

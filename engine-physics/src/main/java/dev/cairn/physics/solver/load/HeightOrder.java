@@ -36,7 +36,7 @@ final class HeightOrder {
     /**
      * Brings the order up to date.
      *
-     * @param guide tells who has contacts
+     * @param guide tells which bodies have contacts
      * @param same whether these are the bodies of the last call
      */
     void update(BodyStore bodies, int[] guide, boolean same) {

@@ -17,8 +17,8 @@ import dev.cairn.physics.tuning.Tuning;
 import java.util.Arrays;
 
 /**
- * Load-proportional inertia: what rests under a load is solved as if it had the inertia of that
- * load.
+ * Load-proportional inertia: a body that rests under a load is solved as if it had the inertia of
+ * that load.
  *
  * <p>Sweeps over contacts converge slowly where a heavy body rests on a light one, and a column of
  * soft contacts buckles under its own weight, because the springs are sized by the mass of one
@@ -123,7 +123,7 @@ public final class LoadSweep implements Stateful {
      * Brings {@link BodyStore#inertiaScale} and {@link BodyStore#restTicks} of this tick up to
      * date.
      *
-     * @param state its guide tells who has contacts
+     * @param state its guide tells which bodies have contacts
      * @param stacked whether any two dynamic bodies touch
      * @param same whether rows and bodies are those of the last tick
      * @param jobs runs the blocks
@@ -260,7 +260,7 @@ public final class LoadSweep implements Stateful {
         return norm(b.forceX[i], b.forceY[i], b.forceZ[i]) * b.inverseMass[i] / gravity;
     }
 
-    /** Who is disturbed, and who carries whom; a mark is the same whoever writes it. */
+    /** Marks disturbed bodies and carriers; a mark is the same whichever worker writes it. */
     private void look(int block, int worker) {
         int end = Blocks.end(block, ROWS_PER_BLOCK, list.contacts);
         for (int m = Blocks.begin(block, ROWS_PER_BLOCK); m < end; m++) {

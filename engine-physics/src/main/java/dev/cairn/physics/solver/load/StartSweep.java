@@ -245,7 +245,7 @@ public final class StartSweep implements StartPass {
         return most;
     }
 
-    /** The springs of the points hold what presses on them more: {@code offset = impulse/k}. */
+    /** The springs of the points hold the additional load: {@code offset = impulse/k}. */
     private static void preload(
             ConstraintRows rows,
             double[] body,

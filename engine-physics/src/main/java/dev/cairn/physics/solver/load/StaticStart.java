@@ -195,7 +195,8 @@ public class StaticStart {
     }
 
     /**
-     * Whether what a contact is with is kinematic and speeds up: that is {@link Riders}' matter.
+     * Whether what a contact is with is kinematic and speeds up: that is {@link CarriedIslands}'
+     * matter.
      */
     static boolean surges(BodyStore b, ContactStore c, int row) {
         return b.surging

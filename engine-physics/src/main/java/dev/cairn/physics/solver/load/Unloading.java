@@ -29,7 +29,7 @@ public final class Unloading {
      *
      * @param perImpulse force of a stored impulse, 1/s
      * @param g gravity, m/s²
-     * @param same whether the rows are those of the last tick: then nobody has lost a contact
+     * @param same whether the rows are those of the last tick: then no body has lost a contact
      * @return whether there is one
      */
     public boolean find(

@@ -16,7 +16,7 @@ import dev.cairn.physics.solver.row.SubStep;
 
 /**
  * A ball of half the inner radius, about the centre of mass of a body of one shape, does not go
- * into what does not move and what the body touches.
+ * into static bodies that it touches.
  *
  * <p>Problem: a contact is soft and has the points of the tick's start. A plate of a tenth of a
  * millimetre under a heavy body, or in ticks of very different lengths, sinks a little in each,
@@ -25,11 +25,11 @@ import dev.cairn.physics.solver.row.SubStep;
  * end, which is in no point, and its middle far below the floor. But in whatever pose, the body
  * holds its inner ball.
  *
- * <p>With n the normal from what does not move, g the gap of the ball and v the velocity of the
- * centre of mass, the middle may close that gap at most: {@code n.v h >= -max(g, 0)}. What is
- * missing is an impulse along n through the centre of mass. It is inelastic, {@code |n.v|} only
- * falls, so it takes energy out; it is no part of the warm start. What overlaps by less than half
- * of its inner radius knows nothing of it.
+ * <p>With n the normal from the static body, g the gap of the ball and v the velocity of the centre
+ * of mass, the middle may close that gap at most: {@code n.v h >= -max(g, 0)}. What is missing is
+ * an impulse along n through the centre of mass. It is inelastic, {@code |n.v|} only falls, so it
+ * takes energy out; it is no part of the warm start. What overlaps by less than half of its inner
+ * radius knows nothing of it.
  */
 public final class CoreGuard {
     /** Of the inner radius: the ball. The other half is left to the contact, which is soft. */

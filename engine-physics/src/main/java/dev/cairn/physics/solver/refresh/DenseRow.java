@@ -93,7 +93,7 @@ final class DenseRow {
 
     /**
      * Levers of one body: {@code L^T (r x u)} of the points and of the patch's centre, {@code L^T
-     * n}; all zero for what does not move. One point has no twist.
+     * n}; all zero for static bodies. One point has no twist.
      *
      * @param part 0 for A, 3 for B
      */

@@ -74,7 +74,7 @@ public final class JacobianRefresh {
     /** By slot: whether a row of the body is renewed. */
     private boolean[] stirred = {};
 
-    /** By slot: whether the body turns since a blow within the tick; its rows do not know. */
+    /** By slot: whether the body turns since an impact within the tick; its rows do not know. */
     private boolean[] struck = {};
 
     public void ensureCapacity(int slots) {
@@ -255,8 +255,9 @@ public final class JacobianRefresh {
     }
 
     /**
-     * Gives a body that turns the root of its present inertia; blocks of bodies. Who did not when
-     * the tick began does from here on if a blow has turned him by far in this sub-step.
+     * Gives a body that turns the root of its present inertia; blocks of bodies. A body that did
+     * not turn when the tick began does from here on if an impact has turned it by far in this
+     * sub-step.
      *
      * @param seconds length of the sub-step, s
      */
@@ -312,8 +313,7 @@ public final class JacobianRefresh {
     }
 
     /**
-     * Where the corner of a body is at which it stands on what does not move, from its centre of
-     * mass.
+     * Where the corner of a body is with which it stands on a static one, from its centre of mass.
      *
      * @param source row of the contact in the store
      * @param place of its row, which is renewed
@@ -432,7 +432,7 @@ public final class JacobianRefresh {
     }
 
     /**
-     * The rim on which a body stands on what does not move, see {@link Rim}.
+     * The rim with which a body stands on a static one, see {@link Rim}.
      *
      * @param source row of the contact in the store
      * @param place of its row

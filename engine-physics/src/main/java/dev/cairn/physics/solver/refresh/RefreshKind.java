@@ -7,8 +7,8 @@ import dev.cairn.physics.solver.impact.BallImpacts;
 import dev.cairn.physics.solver.row.ConstraintRows;
 
 /**
- * How a row is renewed, as bits: with what its points go, which point two bodies share, and who has
- * to know. 0 is a row that is not. Stateless.
+ * How a row is renewed, as bits: with what its points go, which point two bodies share, and which
+ * stages have to know. 0 is a row that is not renewed. Stateless.
  */
 final class RefreshKind {
     /** The row is renewed. */

@@ -227,7 +227,7 @@ public final class RefreshRow {
             ConstraintRows rows, int o, int a, int b, int n, boolean hasFriction, boolean turned) {
         for (int i = 0; i < n; i++) {
             int q = POINT + i * POINT_FIELDS;
-            // what does not move has no lever
+            // a static body has no lever
             write(rows, o, a == 0 ? q + ARM_B : q, b == 0 ? 3 : a == 0 ? 4 : 7);
             if (b == 0) {
                 write(rows, o, q + MASS, 1);

@@ -86,7 +86,7 @@ public final class ConstraintRows implements EdgePlaces {
     /** Ints to a row. */
     public static final int LINK = 4;
 
-    /** Offsets of the bodies in {@link SolverBodies#state}; 0 for what does not move. */
+    /** Offsets of the bodies in {@link SolverBodies#state}; 0 for static bodies. */
     static final int BODY_A = 0;
 
     public static final int BODY_B = 1;
@@ -147,7 +147,7 @@ public final class ConstraintRows implements EdgePlaces {
         this.list = list;
     }
 
-    /** A field of a row, for who reads a few. */
+    /** A field of a row, for readers of few. */
     public double get(int index) {
         return isSingle ? floats[index] : doubles[index];
     }

@@ -14,7 +14,7 @@ import dev.cairn.physics.solver.body.SolverBodies;
  *
  * <p>Such contacts are few, and the row of a contact is long already. So the sweeps take these rows
  * for rows without friction: coefficient and impulses are kept here, beside them, and are put into
- * the row for who asks. Drag is solved row by row at the end of a relax pass; the impulse on A is
+ * the row for readers. Drag is solved row by row at the end of a relax pass; the impulse on A is
  * the negative of that on B, so no momentum is made. Belts on what impulses do not move need none
  * of this, see {@code DrivenSides}.
  *
@@ -122,7 +122,7 @@ public final class DragRows {
     }
 
     /**
-     * Gives the impulses of a row away, to who takes them out of the warm start.
+     * Gives the impulses of a row away, to the stage that takes them out of the warm start.
      *
      * @param look has the row at {@code place}
      * @param at its place here

@@ -94,7 +94,7 @@ public final class EdgeList implements Stateful {
         return kind == 0 ? isSingle ? floats : doubles : kinds[kind - 1].rows(isSingle);
     }
 
-    /** Who bound whom in the last tick; where the rows lie is found anew. */
+    /** The edges of the last tick; where the rows lie is found anew. */
     @Override
     public void state(StateVisitor s) {
         s.section("edges", this);

@@ -5,7 +5,7 @@ import dev.cairn.physics.solver.body.SolverContext;
 /**
  * The places of joints among the rows that are swept: nothing is done there, as an assembly of
  * {@code solver.joint} solves all joints that hang together at once. They tell islands and batches
- * who is bound to whom.
+ * which bodies are bound to each other.
  */
 public final class JointRows implements KindRows {
     /** Rows of either precision. */

@@ -72,8 +72,8 @@ public final class RollingRows {
     /** What is added to the diagonal of such a one, over its trace. */
     private static final double EASE = 1e-9;
 
-    /** A contact that presses so much more than before has had a blow. */
-    private static final double BLOW = 4;
+    /** A contact whose normal impulse is so many times that before has had an impact. */
+    private static final double JUMP = 4;
 
     /** The bound of rolling friction but for rounding. */
     private static final double FULL = 1 - 1e-9;
@@ -141,13 +141,13 @@ public final class RollingRows {
 
     /**
      * Share of its rolling impulse that a contact starts the next sub-step with: the impulse of a
-     * blow is no guess for what comes after it.
+     * impact is no guess for what comes after it.
      *
      * @param normal sum of the normal impulses now
      */
     public double carried(int at, double normal) {
         double before = get(at, BEFORE);
-        return normal > BLOW * before ? before / normal : 1;
+        return normal > JUMP * before ? before / normal : 1;
     }
 
     private static double along(ConstraintRows rows, int j, int k, ContactStore c, int source) {

@@ -43,7 +43,7 @@ public final class SubStep {
     public double massScale;
     public double impulseScale;
 
-    /** The same against what does not move. */
+    /** The same against static bodies. */
     public double fixedRate;
 
     public double fixedMassScale;

@@ -17,8 +17,8 @@ import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.RollingRows;
 
 /**
- * A contact with what does not move does no work: what it did to a body in a sub-step is cut back
- * until the body has no more energy than without the contact.
+ * A contact with a static body does no work: what it did to a body in a sub-step is cut back until
+ * the body has no more energy than without the contact.
  *
  * <p>Problem: a body that turns far within a sub-step is stopped with levers of one pose, pushed
  * out with those, and let go with levers of another, so that the push is not taken back: a pencil

@@ -18,19 +18,19 @@ import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.RollingRows;
 
 /**
- * Points that land, of a body that rocks on its only contact, which is with what does not move:
- * their blow, without a bounce, at its own time inside the sub-step.
+ * Points that land, of a body that rocks on its only contact, which is with a static body: their
+ * impact, without a bounce, at its own time inside the sub-step.
  *
  * <p>Problem: the soft step closes a gap at most to zero, so that an edge that comes down is
  * stopped over two sub-steps, with the levers of before and after, while the edge on which the body
  * rocked still has its warm start. Housner's block kept 5 % too little or too much of its speed.
  *
- * <p>Until the blow at {@code t}, the contact presses as in the last sub-step: it gets that share
+ * <p>Until the impact at {@code t}, the contact presses as in the last sub-step: it gets that share
  * {@code j = t/h l} of its warm start, and no more of it. Then all points that touch, {@code v'_i
  * >= 0}, and friction, swept until they agree, with normal levers of the pose at t. With {@code dv}
- * the change of velocity by the blow and f that by j, the same path is a start with {@code v + f +
- * dv} at {@code x - t dv - t f/2}, as in {@link Impacts}. Gravity then pulls from the start of the
- * sub-step on, and what landed is held from t on: that is made up for along the normal.
+ * the change of velocity by the impact and f that by j, the same path is a start with {@code v + f
+ * + dv} at {@code x - t dv - t f/2}, as in {@link Impacts}. Gravity then pulls from the start of
+ * the sub-step on, and what landed is held from t on: that is made up for along the normal.
  *
  * <p>Not what lands from flight: its points then lie at a gap of zero but for rounding, and whether
  * they are soft or hard in the next sub-step would hang on that. Only what lands faster than
@@ -42,9 +42,9 @@ final class InelasticImpact {
     /** Change of an impulse over the largest one at which normals and friction agree. */
     private static final double AGREES = 1e-12;
 
-    private final MultiPointImpact blow = new MultiPointImpact();
+    private final MultiPointImpact impact = new MultiPointImpact();
 
-    /** Six zeros for what does not move, then acceleration of the body: without its contact. */
+    /** Six zeros for static bodies, then acceleration of the body: without its contact. */
     private final double[] free = new double[12];
 
     /** The same with its contact as in the last sub-step. */
@@ -52,7 +52,7 @@ final class InelasticImpact {
 
     private final double[] before = new double[6];
 
-    /** By point: separation at the time of the blow. */
+    /** By point: separation at the time of the impact. */
     private final double[] reached = new double[ContactStore.POINTS];
 
     /** By point: its normal lever and mass at the start. */
@@ -91,7 +91,7 @@ final class InelasticImpact {
     }
 
     /**
-     * The blows of one sub-step, before its kick.
+     * The impacts of one sub-step, before its kick.
      *
      * @param i slot of the body
      * @param row place of its only row, among rows of doubles
@@ -123,7 +123,7 @@ final class InelasticImpact {
         at = SolverBodies.offset(i);
         isA = rows.link[place * LINK] == at;
         points = rows.points(place);
-        blow.open(rows, place, body);
+        impact.open(rows, place, body);
         boolean any = false;
         for (int n = 0; n < points; n++) {
             accelerate(tick.gravity, 1 / h);
@@ -161,7 +161,7 @@ final class InelasticImpact {
 
     /** Component of an acceleration along the normal at a point. */
     private double along(int p, double[] acceleration) {
-        return blow.along(p, acceleration, isA ? 6 : 0, isA ? 0 : 6);
+        return impact.along(p, acceleration, isA ? 6 : 0, isA ? 0 : 6);
     }
 
     /** When the first point lands; infinite if none does. */
@@ -169,9 +169,9 @@ final class InelasticImpact {
         double least = h * Math.sqrt(free[6] * free[6] + free[7] * free[7] + free[8] * free[8]);
         double time = Double.POSITIVE_INFINITY;
         for (int p = 0; p < points; p++) {
-            int q = blow.point(p);
+            int q = impact.point(p);
             double s = d[q + SEPARATION * lanes];
-            double v = blow.speed(p);
+            double v = impact.speed(p);
             double a = along(p, held);
             if (s > 0 && d[q + IMPULSE * lanes] == 0 && s + h * (v + h * a) <= 0) {
                 double square = v * v - 2 * a * s;
@@ -186,10 +186,10 @@ final class InelasticImpact {
     private void strike(double time, double h, int rounds) {
         double radius = RowArithmetic.reach(d, o, lanes, points);
         for (int p = 0; p < points; p++) {
-            double s = d[blow.point(p) + SEPARATION * lanes];
-            reached[p] = s + time * (blow.speed(p) + 0.5 * time * along(p, held));
+            double s = d[impact.point(p) + SEPARATION * lanes];
+            reached[p] = s + time * (impact.speed(p) + 0.5 * time * along(p, held));
             boolean touches = reached[p] <= Impacts.FLUSH * radius + Impacts.SOON * s;
-            blow.goal[p] = touches ? 0 : Double.NaN;
+            impact.goal[p] = touches ? 0 : Double.NaN;
         }
         press(time / h);
         for (int c = 0; c < 6; c++) {
@@ -197,7 +197,7 @@ final class InelasticImpact {
             body[at + c] += time * held[6 + c];
         }
         turnLevers(time);
-        blow.uniform(0);
+        impact.uniform(0);
         agree(rounds);
         ScalarFriction.total(d, o, lanes, points);
         for (int c = 0; c < 6; c++) {
@@ -216,7 +216,7 @@ final class InelasticImpact {
         WarmStart.addFriction(rows, bodies.warm, place, o, -1);
         rolling.drop(rows, bodies.warm, place, rollingAt);
         for (int p = 0; p < points; p++) {
-            d[o + (SUM + p) * lanes] += share * d[blow.point(p) + IMPULSE * lanes];
+            d[o + (SUM + p) * lanes] += share * d[impact.point(p) + IMPULSE * lanes];
         }
         for (int k = 0; k < 3; k++) {
             d[o + (TOTAL + k) * lanes] += share * d[o + (LAMBDA + k) * lanes];
@@ -226,7 +226,7 @@ final class InelasticImpact {
 
     private void clear() {
         for (int p = 0; p < points; p++) {
-            d[blow.point(p) + IMPULSE * lanes] = 0;
+            d[impact.point(p) + IMPULSE * lanes] = 0;
         }
         for (int k = 0; k < 3; k++) {
             d[o + (LAMBDA + k) * lanes] = 0;
@@ -236,7 +236,7 @@ final class InelasticImpact {
     /** Normals, and friction bounded by them, until no impulse changes. */
     private void agree(int rounds) {
         for (int round = 0; round < rounds; round++) {
-            double change = blow.newton(0);
+            double change = impact.newton(0);
             if (!(d[o + FRICTION * lanes] > 0)) {
                 return;
             }
@@ -274,7 +274,7 @@ final class InelasticImpact {
             double u = ry * z - rz * y;
             double v = rz * x - rx * z;
             double w = rx * y - ry * x;
-            int q = blow.point(p);
+            int q = impact.point(p);
             int lever = q + (isA ? ARM_A : ARM_B) * lanes;
             double inverse = d[o + (isA ? MASS_A : MASS_B) * lanes];
             kept[4 * p] = d[q + MASS * lanes];
@@ -291,7 +291,7 @@ final class InelasticImpact {
 
     private void turnBack() {
         for (int p = 0; p < points; p++) {
-            int q = blow.point(p);
+            int q = impact.point(p);
             int lever = q + (isA ? ARM_A : ARM_B) * lanes;
             d[q + MASS * lanes] = kept[4 * p];
             for (int j = 0; j < 3; j++) {
@@ -300,13 +300,13 @@ final class InelasticImpact {
         }
     }
 
-    /** Puts the points that took the blow where they were then, or above. */
+    /** Puts the points that took the impact where they were then, or above. */
     private void lift() {
         int link = place * LINK;
         ScalarNormals.separate(d, o, lanes, body, rows.link[link], rows.link[link + 1], points);
         double height = 0;
         for (int p = 0; p < points; p++) {
-            int q = blow.point(p);
+            int q = impact.point(p);
             if (d[q + IMPULSE * lanes] > 0) {
                 height = Math.max(height, reached[p] - d[q + SEPARATION * lanes]);
             }
@@ -316,7 +316,7 @@ final class InelasticImpact {
             body[at + SolverBodies.P + k] += signed * d[o + k * lanes];
         }
         for (int p = 0; p < points; p++) {
-            d[blow.point(p) + SEPARATION * lanes] += height;
+            d[impact.point(p) + SEPARATION * lanes] += height;
         }
     }
 }

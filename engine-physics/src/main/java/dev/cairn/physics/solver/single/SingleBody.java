@@ -13,7 +13,7 @@ import dev.cairn.physics.tuning.Tunable;
 
 /**
  * The door of this package: what a sub-step does besides sweeping for a body whose only contact is
- * with what does not move. The passes call it at two places and know nothing of what is behind.
+ * with a static body. The passes call it at two places and know nothing of what is behind.
  *
  * <p>Switched off by {@link Tunable#LONE_SWEEPS} of 0: then no body has a {@link
  * SolverBodies#guide}, and neither method is called. One to a worker. Does not allocate.

@@ -14,8 +14,8 @@ import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.RollingRows;
 
 /**
- * Guided bodies, whose only contact is with what does not move: at the end of a sub-step they are
- * put where the mean of their velocities before and after leads.
+ * Guided bodies, whose only contact is with a static body: at the end of a sub-step they are put
+ * where the mean of their velocities before and after leads.
  *
  * <p>Problem: a body with contacts moves by the velocity of the end of a sub-step, which is what
  * its contacts were solved for. That is a scheme of the first order: a slide is half a sub-step

@@ -8,7 +8,7 @@ import java.util.Arrays;
  * and its weft.
  *
  * <p>What joints of a path do to each other is so a block tridiagonal matrix, which is solved at
- * the cost of a sweep. Made when who is bound to whom changes; allocates.
+ * the cost of a sweep. Made when the graph of joints changes; allocates.
  */
 public final class JointPaths {
     /** Joints, path after path. */

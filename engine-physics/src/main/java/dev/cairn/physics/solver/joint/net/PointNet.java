@@ -38,7 +38,7 @@ public final class PointNet {
 
     public final int[] b;
 
-    /** By place: arms in the bodies' axes, or the world's of what does not move; of A, of B. */
+    /** By place: arms in the bodies' axes, or the world's of static bodies; of A, of B. */
     public final double[] local;
 
     /** The same in the world, in the poses of {@link #derive}, m. */
@@ -47,7 +47,7 @@ public final class PointNet {
     /** The same of a movement that is taken back. */
     private final double[] trial;
 
-    /** By place: axes of its rows in A, row by row; those of what does not move in the world. */
+    /** By place: axes of its rows in A, row by row; those of static bodies in the world. */
     public final double[] axes;
 
     /** By place: distance of the centres at the tick's begin; c in the poses of derive, m. */

@@ -19,18 +19,18 @@ import java.util.Arrays;
  *   dx = mB/(mA + mB) b  and  -mA/(mA + mB) b,      j = u / (1/mA + 1/mB + (r x n) . J (r x n))
  * </pre>
  *
- * so momentum stays. Who floats on joints is put back as a whole, so that no joint opens; who hangs
- * on what does not move goes where joints pull it.
+ * so momentum stays. An assembly that floats is put back as a whole, so that no joint opens; a body
+ * that joints bind to a fixed one goes where they pull it.
  *
  * <p>Simulation thread; allocates only when something grows.
  */
-public final class Halt {
+public final class Depenetration {
     private final ColliderStore colliders;
     private final EdgeSource[] edges;
     private final double[] own = new double[3];
     private final double[] turn = new double[3];
 
-    /** By body slot: it hangs on joints; by root of what hangs together: on what does not move. */
+    /** By body slot: it hangs on joints; by root of what hangs together: on a static body. */
     private boolean[] tied = {}, held = {};
 
     /** By body slot: it was put back in this tick. */
@@ -51,12 +51,12 @@ public final class Halt {
      * @param colliders whose bodies these are
      * @param edges all that binds bodies, contacts first
      */
-    public Halt(ColliderStore colliders, EdgeSource[] edges) {
+    public Depenetration(ColliderStore colliders, EdgeSource[] edges) {
         this.colliders = colliders;
         this.edges = edges;
     }
 
-    /** Grows the columns with those of the bodies, also in ticks in which nobody is fast. */
+    /** Grows the columns with those of the bodies, also in ticks in which no body is fast. */
     public void ensureSlots() {
         if (tied.length < colliders.slotCount) {
             tied = new boolean[colliders.poses.positionX.length];
@@ -67,7 +67,7 @@ public final class Halt {
     }
 
     /**
-     * Finds who hangs on joints.
+     * Finds the bodies that have joints.
      *
      * @param bodies slots of the dynamic bodies that were moved
      * @param count how many there are
@@ -110,7 +110,7 @@ public final class Halt {
      * Whether a body may be put back: alone, or with those that hang on it.
      *
      * @param body slot
-     * @return false if it hangs on what does not move
+     * @return false if it hangs on a static body
      */
     public boolean isLoose(int body) {
         return !tied[body] || !held[ties.root(body)];

@@ -6,7 +6,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.AabbTree;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.RayTraversal;
-import dev.cairn.physics.contact.impact.Halt;
+import dev.cairn.physics.contact.impact.Depenetration;
 import dev.cairn.physics.contact.impact.ImpactStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -25,10 +25,10 @@ import org.jspecify.annotations.Nullable;
  * what does not answer to it, however fast the body is and whatever its contacts did.
  *
  * <p>A contact has the points of one moment. A stick that strikes with a tip at a thousand metres a
- * second turns about it by many rounds within the tick, and its contacts know of none; and who is
- * struck within the tick goes where nobody looked for contacts. So the way of the centre over the
- * whole tick is looked at afterwards; where it meets the other surface, the body stops there, and
- * loses the rest of the tick and the speed at which it went in.
+ * second turns about it by many rounds within the tick, and its contacts know of none; and a body
+ * that is struck within the tick goes where no contacts were looked for. So the way of the centre
+ * over the whole tick is looked at afterwards; where it meets the other surface, the body stops
+ * there, and loses the rest of the tick and the speed at which it went in.
  *
  * <pre>
  *   bodies ─▶ fast: covered more than a part of the inner radius; in blocks
@@ -42,7 +42,7 @@ import org.jspecify.annotations.Nullable;
  * dev.cairn.physics.collider.ContactHook} lets through is let through: while there is one, only
  * rows that were solved are looked at.
  */
-final class CentreGuard {
+final class TunnellingGuard {
     private static final int BODIES_PER_BLOCK = 256;
     private static final int ROWS_PER_BLOCK = 512;
 
@@ -60,14 +60,14 @@ final class CentreGuard {
     private final ColliderStore colliders;
     private final ContactStore contacts;
     private final BoundsStage bounds;
-    private final Halt halt;
+    private final Depenetration depenetration;
     private final RayTraversal walk = new RayTraversal();
     private final ShapeQueries queries = new ShapeQueries();
     private final Placement surface = new Placement();
     private final Hit hit = new Hit();
     private final double[] box = new double[6];
     private final double[] start = new double[3];
-    private final TurningView view;
+    private final RotatingFrame frame;
 
     private double[][] scratch = {};
     private int[] dynamic = {};
@@ -81,7 +81,7 @@ final class CentreGuard {
     /** By block of bodies: how many are fast; by block of rows: how many are looked at. */
     private int[] fastCount = {}, rowCount = {};
 
-    CentreGuard(
+    TunnellingGuard(
             ColliderStore colliders,
             ContactStore contacts,
             BoundsStage bounds,
@@ -89,8 +89,8 @@ final class CentreGuard {
         this.colliders = colliders;
         this.contacts = contacts;
         this.bounds = bounds;
-        halt = new Halt(colliders, edges);
-        view = new TurningView(colliders, bounds);
+        depenetration = new Depenetration(colliders, edges);
+        frame = new RotatingFrame(colliders, bounds);
     }
 
     /**
@@ -99,7 +99,7 @@ final class CentreGuard {
      * @param bodies slots of the dynamic bodies that were moved
      * @param state by active row, what {@link SweepStage} saw in it before the solve
      * @param isHooked whether a hook may let bodies through
-     * @param struck who was struck within the tick
+     * @param struck the bodies that were struck within the tick
      * @param stepSeconds length of the tick, s
      */
     void run(
@@ -121,7 +121,7 @@ final class CentreGuard {
         int bodyBlocks = Blocks.count(count, BODIES_PER_BLOCK);
         int rowBlocks = Blocks.count(contacts.activeCount, ROWS_PER_BLOCK);
         ensure(bodyBlocks, rowBlocks);
-        halt.ensureSlots();
+        depenetration.ensureSlots();
         jobs.run(bodiesJob, bodyBlocks);
         boolean any = false;
         for (int b = 0; b < bodyBlocks; b++) {
@@ -130,12 +130,12 @@ final class CentreGuard {
         if (!any) {
             return;
         }
-        halt.tie(dynamic, dynamicCount);
+        depenetration.tie(dynamic, dynamicCount);
         composeDriven();
         jobs.run(rowsJob, rowBlocks);
         for (int k = 0; k < 2 * rowBlocks; k++) {
             boolean last = k >= rowBlocks;
-            if (rowCount[k % rowBlocks] > 0 || (last && halt.any())) {
+            if (rowCount[k % rowBlocks] > 0 || (last && depenetration.any())) {
                 guardRows(k % rowBlocks, state, isHooked, last);
             }
         }
@@ -195,7 +195,7 @@ final class CentreGuard {
         return x * x + y * y + z * z > least * least && isSolid;
     }
 
-    /** A way that is looked at is longer than this, m; any is, of who was struck. */
+    /** A way that is looked at is longer than this, m; any is, of a body that was struck. */
     private double least(int c) {
         return late(c) > 0 ? 0 : FAST * colliders.innerRadius[c];
     }
@@ -267,12 +267,12 @@ final class CentreGuard {
     }
 
     private boolean isFastMover(int body) {
-        return isDynamic(body) && (fast[body] || halt.hasMoved(body));
+        return isDynamic(body) && (fast[body] || depenetration.hasMoved(body));
     }
 
     /**
-     * Rows of two bodies that answer come first, those with what does not answer last: who is put
-     * back from the one is not left in the other.
+     * Rows of two bodies that answer come first, those with what does not answer last: a body that
+     * is put back from the one is not left in the other.
      */
     private void guardRows(int block, byte[] state, boolean isHooked, boolean last) {
         ContactStore c = contacts;
@@ -284,16 +284,16 @@ final class CentreGuard {
                 continue;
             }
             boolean isSeen = state[i] != SweepStage.HARMLESS;
-            guardRow(c.colliderA[row], c.colliderB[row], isSeen, isHooked);
-            guardRow(c.colliderB[row], c.colliderA[row], isSeen, isHooked);
+            guardRow(c.colliderA[row], c.colliderB[row], isSeen);
+            guardRow(c.colliderB[row], c.colliderA[row], isSeen);
         }
     }
 
     /** Looks at the way of one collider of a row as seen from the other one. */
-    private void guardRow(int part, int other, boolean isSeen, boolean isHooked) {
+    private void guardRow(int part, int other, boolean isSeen) {
         int body = colliders.body[part];
         if (!isDynamic(body)
-                || !(halt.isLoose(body) || isSeen)
+                || !(depenetration.isLoose(body) || isSeen)
                 || isWider(part, other)) {
             return;
         }
@@ -314,7 +314,10 @@ final class CentreGuard {
         int end = Blocks.end(block, BODIES_PER_BLOCK, dynamicCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             int slot = dynamic[i];
-            int c = fast[slot] && halt.isLoose(slot) ? colliders.bodies.collider[slot] : NONE;
+            int c =
+                    fast[slot] && depenetration.isLoose(slot)
+                            ? colliders.bodies.collider[slot]
+                            : NONE;
             for (; c != NONE; c = colliders.next[c]) {
                 if (isFast(c) && !isInBox(c, broadPhase.fatBoxes())) {
                     follow(c, broadPhase);
@@ -385,18 +388,18 @@ final class CentreGuard {
      */
     private void keepOut(int part, int other) {
         Poses p = colliders.poses;
-        // who was struck is looked at from there on
+        // a body that was struck is looked at from there on
         double from = Math.max(late(part), late(other));
         double mine = since(part, from);
         int body = colliders.body[other];
-        double its = view.moves(body) ? since(other, from) : 0;
+        double its = frame.moves(body) ? since(other, from) : 0;
         double endX = p.apartX(part, other);
         double endY = p.apartY(part, other);
         double endZ = p.apartZ(part, other);
         start[0] = endX - its * wayX(other) + mine * wayX(part);
         start[1] = endY - its * wayY(other) + mine * wayY(part);
         start[2] = endZ - its * wayZ(other) + mine * wayZ(part);
-        if (!view.turn(body, from, step, impacts, start)) {
+        if (!frame.turn(body, from, step, impacts, start)) {
             return;
         }
         double wayX = endX - start[0];
@@ -447,7 +450,7 @@ final class CentreGuard {
         if (!(rest > 0)) {
             return;
         }
-        halt.stop(
+        depenetration.stop(
                 colliders.body[part],
                 colliders.body[other],
                 rest * wayX,

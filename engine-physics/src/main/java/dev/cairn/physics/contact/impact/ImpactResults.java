@@ -10,7 +10,7 @@ import dev.cairn.physics.sweep.FreeTurn;
 import java.util.Arrays;
 
 /** What impacts leave to do after the solve: bodies that end the tick somewhere, and events. */
-final class Outcome {
+final class ImpactResults {
     /** Numbers to a body that is put somewhere: way, orientation, start, velocities. */
     private static final int STOP = 16;
 
@@ -29,7 +29,7 @@ final class Outcome {
     private double[] hitImpulse = {};
     private int hitCount;
 
-    Outcome(ColliderStore colliders, ContactStore contacts) {
+    ImpactResults(ColliderStore colliders, ContactStore contacts) {
         this.colliders = colliders;
         this.contacts = contacts;
     }

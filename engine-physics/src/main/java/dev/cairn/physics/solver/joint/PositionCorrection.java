@@ -10,13 +10,13 @@ import dev.cairn.physics.solver.body.SolverContext;
  * Closes joints that are open already, bodies that were put elsewhere or pushed by contacts, by
  * moving bodies aside. No speed comes of it, so no energy of motion.
  */
-abstract class GapClosing extends HoldingRows {
+abstract class PositionCorrection extends HoldingRows {
     /** Rounds in which gaps are closed aside, and down to which share of a body's size. */
     private static final int CLOSINGS = 4;
 
     private static final double CLOSELY = 1e-4;
 
-    /** The same of what stands on something: blows open joints far, and one at a time. */
+    /** The same of what stands on something: impacts open joints far, and one at a time. */
     private static final double CLOSELY_STANDING = 1e-8;
 
     /** The most that a joint has opened by in the sub-step, over its size, or rad. */

@@ -11,8 +11,11 @@ import org.jspecify.annotations.Nullable;
  * Where something was, as seen from a body that has turned within the tick: as it would lie now if
  * it had turned with the body. Simulation thread; allocates nothing.
  */
-final class TurningView {
-    /** Of one who answers, rad: beyond, the chord does not tell where one was seen from it. */
+final class RotatingFrame {
+    /**
+     * Of a body that contacts can move, rad: beyond, the chord does not tell where one was seen
+     * from it.
+     */
     private static final double TURN = 1;
 
     /** cos(TURN / 2). */
@@ -22,7 +25,7 @@ final class TurningView {
     private final BoundsStage bounds;
     private final double[] turned = new double[4];
 
-    TurningView(ColliderStore colliders, BoundsStage bounds) {
+    RotatingFrame(ColliderStore colliders, BoundsStage bounds) {
         this.colliders = colliders;
         this.bounds = bounds;
     }
@@ -38,7 +41,7 @@ final class TurningView {
      * @param body slot of the body that is looked from
      * @param from share of the tick from which on it turns
      * @param step of the tick, s
-     * @param impacts who was struck within the tick
+     * @param impacts the bodies that were struck within the tick
      * @param seen from the body's centre to the point, world axes, m; turned
      * @return false if the body turns too far
      */
@@ -66,7 +69,7 @@ final class TurningView {
             }
             System.arraycopy(bounds.began, BoundsStage.POSE * body + 3, q, 0, 4);
         }
-        // who turns slowly now may have turned fast before a blow within the tick
+        // a body that turns slowly now may have turned fast before an impact within the tick
         if (isDynamic && !(Math.abs(cosHalfTurn(q, body)) > COS_HALF_TURN)) {
             return false;
         }

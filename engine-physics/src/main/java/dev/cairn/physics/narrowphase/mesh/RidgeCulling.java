@@ -32,7 +32,7 @@ import java.util.Arrays;
  * Gregorius, "The Separating Axis Test between Convex Polyhedra" (GDC 2013), where edges are pruned
  * by their arcs. One worker's; grows when there are more ridges than ever.
  */
-final class CalmRidges {
+final class RidgeCulling {
     /** Tangent of the angle up to which flats are parallel to a face, and some room. */
     private static final double LEAN = 0.11;
 

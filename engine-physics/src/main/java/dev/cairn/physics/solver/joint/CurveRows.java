@@ -21,7 +21,7 @@ import dev.cairn.physics.internal.JointStore;
  * JointStore#parameter}: the parameter on the curve, then n in A's frame. Source of the second: R.
  * L. Bishop, "There is more than one way to frame a curve" (1975).
  */
-final class Railing {
+final class CurveRows {
     private final double[] at = new double[Curve.AT];
     private double w;
 

@@ -28,7 +28,7 @@ import java.util.SplittableRandom;
  * Who is put down on a platform, at its velocity, keeps his place on it while friction allows:
  * whether it stands, starts in that tick, some ticks later, or has been under way for long.
  */
-class RidersTest {
+class CarriedIslandsTest {
     private static final double STEP = 1.0 / 60;
     private static final double G = 9.81;
     private static final int TICKS = 90;

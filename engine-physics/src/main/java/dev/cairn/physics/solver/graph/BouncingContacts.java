@@ -11,7 +11,7 @@ import java.util.Arrays;
  *
  * <p>Simulation thread; allocates only when there were never so many.
  */
-public final class Bouncers {
+public final class BouncingContacts {
     /** Room from the first tick on, so that small scenes come to rest without growing. */
     private static final int LEAST = 1024;
 

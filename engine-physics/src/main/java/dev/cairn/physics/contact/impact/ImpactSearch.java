@@ -6,10 +6,13 @@ import dev.cairn.physics.broadphase.RayTraversal;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 
-/** Whom a body that was struck meets in the rest of the tick: through the trees, into the queue. */
-final class Ahead {
+/**
+ * Looks in the trees for the colliders that a struck body meets in the rest of the tick, and puts
+ * them into the queue.
+ */
+final class ImpactSearch {
     private final ColliderStore colliders;
-    private final Struck bodies;
+    private final StruckBodies bodies;
     private final MovingPair pair;
     private final ImpactQueue queue;
     private final RayTraversal walk = new RayTraversal();
@@ -20,7 +23,7 @@ final class Ahead {
     private double[] start = {};
     private double step;
 
-    Ahead(ColliderStore colliders, Struck bodies, MovingPair pair, ImpactQueue queue) {
+    ImpactSearch(ColliderStore colliders, StruckBodies bodies, MovingPair pair, ImpactQueue queue) {
         this.colliders = colliders;
         this.bodies = bodies;
         this.pair = pair;
@@ -33,7 +36,7 @@ final class Ahead {
         step = stepSeconds;
     }
 
-    /** Looks for whom a body that was struck meets in the rest of the tick. */
+    /** Looks for what a body that was struck meets in the rest of the tick. */
     void follow(int body, double time) {
         BodyStore s = colliders.bodies;
         if (s.kind[body] != BodyStore.DYNAMIC || bodies.closed[body] || bodies.free[body] != 0) {
@@ -120,7 +123,7 @@ final class Ahead {
         return x * x + y * y + z * z > reachOut * reachOut;
     }
 
-    /** Whether two have just struck each other: that is looked at by who calls. */
+    /** Whether two have just struck each other: that pair is looked at by the caller. */
     private boolean isPartner(int collider, int other) {
         return (collider == queue.a && other == queue.b)
                 || (collider == queue.b && other == queue.a);

@@ -6,7 +6,7 @@ import java.util.Arrays;
  * Points on edges and corners that stand out, each in a group: of a plane, or of a normal of their
  * own. Axes of the mesh, from the shape's centre, m.
  */
-final class LoosePoints {
+final class EdgePoints {
     /** Groups of their own that a point is compared with, the latest ones. */
     private static final int COMPARED = 32;
 

@@ -7,10 +7,10 @@ package dev.cairn.physics.shape.decomposition;
  * <p>Source of the mixing: G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number
  * generators", OOPSLA (2014), by D. Stafford's constants.
  */
-final class Draws {
+final class CounterRandom {
     private static final long GOLDEN = 0x9E3779B97F4A7C15L;
 
-    private Draws() {}
+    private CounterRandom() {}
 
     static long mix(long seed, long counter) {
         long z = seed + GOLDEN * (counter + 1);

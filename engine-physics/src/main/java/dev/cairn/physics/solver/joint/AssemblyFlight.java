@@ -24,7 +24,7 @@ import java.util.Arrays;
  *
  * <p>One to a worker. Does not allocate.
  */
-public final class Swing {
+public final class AssemblyFlight {
     private static final double OUTER = 0.4144907717943757;
 
     /**
@@ -46,7 +46,7 @@ public final class Swing {
         // how it is solved decides how fine its steps are
         solve.open(tick, sub, store, s);
         solve.choose();
-        boolean isSmooth = s.isDirect && !s.isRough();
+        boolean isSmooth = s.isDirect && !s.keepsFailing();
         double quick = s.isDirect ? sub.seconds * tension.quickest(tick, store, s) : 0;
         int parts = isSmooth ? Tension.partsAlone(quick) : 1;
         boolean isFine = isSmooth && parts == 1 && s.body.length <= FEW && isReversible(tick, s);

@@ -8,11 +8,11 @@ package dev.cairn.physics.contact.impact;
  * where the impact is scaled by {@code -v.c / c²}. Of what a moving wall does, as seen from the
  * wall.
  */
-final class Gain {
+final class ImpactEnergy {
     /** What is rounding, over the energy. */
     private static final double ROUNDING = 1e-12;
 
-    private Gain() {}
+    private ImpactEnergy() {}
 
     /**
      * Which share of an impact makes no energy.

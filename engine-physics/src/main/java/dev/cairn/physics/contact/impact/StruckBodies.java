@@ -9,12 +9,12 @@ import dev.cairn.physics.sweep.Flight;
 
 import java.util.Arrays;
 
-/** Bodies in a tick with impacts: who may be struck, who was, and the rows of each. */
-final class Struck {
+/** Bodies in a tick with impacts: which may be struck, which were, and the rows of each. */
+final class StruckBodies {
     private final ColliderStore colliders;
     private final ContactStore contacts;
 
-    /** By body: 0 if it is free, 1 if it touches somebody, 2 if it is bound otherwise. */
+    /** By body: 0 if it is free, 1 if it touches another body, 2 if it is bound otherwise. */
     byte[] free = {};
 
     /** By body: impacts in this tick, and meetings without an impact. */
@@ -45,7 +45,7 @@ final class Struck {
     int markedCount;
     private boolean[] isMarked = {};
 
-    Struck(ColliderStore colliders, ContactStore contacts) {
+    StruckBodies(ColliderStore colliders, ContactStore contacts) {
         this.colliders = colliders;
         this.contacts = contacts;
     }
@@ -90,7 +90,7 @@ final class Struck {
         double wz = last[q + 6];
         double spin = Math.sqrt(wx * wx + wy * wy + wz * wz);
         System.arraycopy(last, q, out, 0, 4);
-        // who is closed ends the tick as he lay
+        // a closed body ends the tick in its present orientation
         if (spin > 0 && seconds > 0 && !closed[body]) {
             Rotations.turn(wx, wy, wz, spin, seconds, turn);
             Rotations.multiply(turn, last, q, out);

@@ -4,20 +4,20 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 
 /** Bodies that are followed through a tick with impacts, since they hang together by contacts. */
-final class Followed {
+final class TrackedBodies {
     private final ColliderStore colliders;
     private final ContactStore contacts;
-    private final Struck bodies;
+    private final StruckBodies bodies;
     private final MovingPair pair;
     private final ImpactQueue queue;
 
     /** By row: it is in the queue, or was looked at. */
     private boolean[] seen = {};
 
-    Followed(
+    TrackedBodies(
             ColliderStore colliders,
             ContactStore contacts,
-            Struck bodies,
+            StruckBodies bodies,
             MovingPair pair,
             ImpactQueue queue) {
         this.colliders = colliders;
@@ -39,9 +39,9 @@ final class Followed {
     }
 
     /**
-     * Impacts change who meets whom, so all are struck in the order of their times: slower meetings
-     * come into the queue too, of all that hang together by contacts with who is struck. Who does
-     * not bounce is left to the solver.
+     * Impacts change which bodies meet, so all are struck in the order of their times: slower
+     * meetings come into the queue too, of all bodies that hang together by contacts with one that
+     * is struck. Contacts that do not bounce are left to the solver.
      */
     void gather(double step) {
         bodies.clearMarks();
@@ -93,7 +93,7 @@ final class Followed {
         }
     }
 
-    /** Whether two touch in one point, and bounce, and nobody holds them. */
+    /** Whether two touch in one point, and bounce, and no third body holds them. */
     private boolean isExact(int row) {
         return contacts.restitution[row] > 0 && !bodies.isHeld(row) && bodies.isRound(row);
     }

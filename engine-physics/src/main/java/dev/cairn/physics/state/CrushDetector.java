@@ -4,10 +4,10 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
 /**
- * Who is between hammer and anvil: a body with contacts that press from opposite sides, by bodies
- * that nothing moves and that come nearer to each other.
+ * A body that is crushed: one with contacts that press from opposite sides, by bodies that nothing
+ * moves and that come nearer to each other.
  */
-public final class Crush {
+public final class CrushDetector {
     /** Cosine between two normals that are opposite enough. */
     private static final double OPPOSITE = -0.7;
 
@@ -15,7 +15,7 @@ public final class Crush {
     private final ContactStore rows;
 
     /** Looks at the contacts of the last step. */
-    public Crush(BodyStore bodies, ContactStore rows) {
+    public CrushDetector(BodyStore bodies, ContactStore rows) {
         this.bodies = bodies;
         this.rows = rows;
     }

@@ -9,8 +9,8 @@ import dev.cairn.physics.solver.row.EdgeList;
 import java.util.Arrays;
 
 /**
- * Who rides on what speeds up: islands that are at rest beside kinematic bodies, in ticks in which
- * those change their velocity.
+ * Riders on accelerating bodies: islands that are at rest beside kinematic bodies, in ticks in
+ * which those change their velocity.
  *
  * <p>Their load is another one in each sub-step: {@code m (g - a)}, with {@code m a h'} of
  * leverage, and a is known, since a kinematic body does what it is told. A soft contact answers a
@@ -24,10 +24,10 @@ import java.util.Arrays;
  * <p>Found by the simulation thread; an island is swept by the worker that has its batch. Allocates
  * only when a store has grown. Source: own study.
  */
-public final class Riders extends StaticStart {
+public final class CarriedIslands extends StaticStart {
     /**
-     * Contacts of an island times sweeps in a sub-step, at most; the island's own, so that who
-     * rides elsewhere does not matter.
+     * Contacts of an island times sweeps in a sub-step, at most; the island's own, so that riders
+     * elsewhere do not matter.
      */
     private static final int VISITS = 1 << 13;
 
@@ -52,7 +52,7 @@ public final class Riders extends StaticStart {
     private double[] old = {};
 
     /** What is left is gone in the next sub-step. */
-    public Riders() {
+    public CarriedIslands() {
         agrees = 1e-10;
     }
 

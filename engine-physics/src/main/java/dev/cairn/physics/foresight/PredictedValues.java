@@ -3,8 +3,8 @@ package dev.cairn.physics.foresight;
 import dev.cairn.core.state.StateColumns;
 
 /** Numbers that are guessed. */
-final class Guess {
-    private Guess() {}
+final class PredictedValues {
+    private PredictedValues() {}
 
     /**
      * Puts in the place of a number how far a guess is off, or finds the number again: by the
