@@ -212,6 +212,29 @@ final class BundleTest {
         assertEquals(published, named);
     }
 
+    /** It has no parent, and is built by the same versions of plugins all the same. */
+    @Test
+    void theBillOfMaterialsIsBuiltByTheParentsPlugins() throws Exception {
+        Map<String, String> parent = plugins(DocsTest.ROOT.resolve("pom.xml"));
+        Map<String, String> bom = plugins(DocsTest.ROOT.resolve("cairn-bom/pom.xml"));
+        assertEquals(
+                Set.of("maven-install-plugin", "maven-deploy-plugin", "exec-maven-plugin"),
+                bom.keySet());
+        bom.forEach((name, version) -> assertEquals(parent.get(name), version, name));
+    }
+
+    /** The versions of the plugins that a pom manages. */
+    private static Map<String, String> plugins(Path pom) throws Exception {
+        Element build = child(xml(Files.readAllBytes(pom)), "build");
+        NodeList all = child(build, "pluginManagement").getElementsByTagName("plugin");
+        Map<String, String> versions = new LinkedHashMap<>();
+        for (int i = 0; i < all.getLength(); i++) {
+            Element plugin = (Element) all.item(i);
+            versions.put(text(plugin, "artifactId"), text(plugin, "version"));
+        }
+        return versions;
+    }
+
     /** The quickstart's own pom asks for this version and for artifacts that the bill names. */
     @Test
     void theQuickstartAsksForThisVersion() throws Exception {

@@ -53,10 +53,13 @@ class NothingLostTest extends WindowFixture {
         // A picture shows the scene alone, and the window says where it is.
         type("key", "F12");
         await("the notice", seen -> seen.values().containsKey("NoticeX"));
+        settle();
+        look("picture-saved");
         Path found;
         try (Stream<Path> files = Files.list(folder)) {
             found = files.filter(file -> file.toString().endsWith(".png")).findAny().orElseThrow();
         }
+        keep(found, "picture");
         int corner = ImageIO.read(found.toFile()).getRGB(60, 24) & 0xFFFFFF;
         assertTrue(corner != GLASS && (corner & 255) > 100, "%06x".formatted(corner));
         type("key", "p");
