@@ -132,6 +132,7 @@ class NothingLostTest extends WindowFixture {
         settle();
         click("Window");
         await("the buttons of the scales", seen -> seen.values().containsKey("1.5X"));
+        aBoxIsSelectedInTheEditor();
         for (String scale : new String[] {"1.5", "2"}) {
             while (now().number(scale + "Y") > now().number("uiHeight") - 20) {
                 moveTo(150 * now().number("uiScale"), 300 * now().number("uiScale"));
@@ -151,9 +152,7 @@ class NothingLostTest extends WindowFixture {
             type("key", "Escape");
             await("the list to close", seen -> !seen.flag("help"));
             type("key", "F2");
-            await("the editor", seen -> seen.flag("paused") && seen.values().containsKey("boxX"));
-            settle();
-            click("box");
+            await("the fields", seen -> seen.flag("paused") && seen.values().containsKey("nameX"));
             settle();
             look("editor-" + scale);
             assertEquals(0, now().number("overlapping"), "the editor: " + last);
@@ -162,5 +161,19 @@ class NothingLostTest extends WindowFixture {
             await("the scene", seen -> !seen.flag("paused"));
             settle();
         }
+    }
+
+    private void aBoxIsSelectedInTheEditor() throws IOException, InterruptedException {
+        type("key", "F2");
+        await("the editor", seen -> seen.flag("paused") && seen.values().containsKey("boxX"));
+        click("box");
+        await("its fields", seen -> seen.values().containsKey("nameX"));
+        settle();
+        look("editor-1");
+        assertEquals(0, now().number("overlapping"), "the editor: " + last);
+        assertEquals(0, now().number("shortened"), "the editor: " + last);
+        type("key", "F2");
+        await("the scene", seen -> !seen.flag("paused"));
+        settle();
     }
 }
