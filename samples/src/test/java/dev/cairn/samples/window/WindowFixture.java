@@ -1,11 +1,11 @@
 package dev.cairn.samples.window;
 
-import static java.nio.file.StandardCopyOption.REPLACE_EXISTING;
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import static java.nio.file.StandardCopyOption.REPLACE_EXISTING;
 
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.Main;
