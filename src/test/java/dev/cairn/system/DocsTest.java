@@ -31,7 +31,7 @@ import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 
 /** What the pages for users say is so. */
-final class DocsTest {
+public final class DocsTest {
     private static final Pattern BLOCK = Pattern.compile("```java\\n(.*?)```", Pattern.DOTALL);
     private static final Pattern NAME = Pattern.compile("`(dev\\.cairn\\.[\\w.]+)(?:#(\\w+))?`");
     private static final Pattern EXPORT = Pattern.compile("exports (dev\\.cairn[\\w.]*);");
@@ -42,7 +42,8 @@ final class DocsTest {
     private static final Set<String> PROGRAMS =
             Set.of("MyScene" /* here */, "JmeAdapter", "GdxAdapter" /* AdaptersTest */);
 
-    static final Path ROOT = root();
+    /** Where the repository is. */
+    public static final Path ROOT = root();
 
     /** The repository: the nearest folder upwards with the pages. */
     private static Path root() {

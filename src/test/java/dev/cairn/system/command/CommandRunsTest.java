@@ -1,10 +1,12 @@
-package dev.cairn.system;
+package dev.cairn.system.command;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.render.app.Offscreen;
 import dev.cairn.samples.Main;
+import dev.cairn.system.DocsTest;
+import dev.cairn.system.Jvm;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
