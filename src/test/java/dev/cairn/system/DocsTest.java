@@ -146,10 +146,11 @@ public final class DocsTest {
     /**
      * Every other Java snippet of README and docs, as a member or as statements of a class that
      * inherits what the page takes as given ({@link SnippetContexts}) and what its snippets before
-     * it declare.
+     * it declare; statements are run.
      */
     @Test
-    void everySnippetCompiles(@TempDir Path folder) throws IOException {
+    void everySnippetCompilesAndRuns(@TempDir Path folder)
+            throws IOException, InterruptedException {
         List<Path> files = new ArrayList<>();
         for (Path page : pages()) {
             String name = page.getFileName().toString().replace(".md", "");
@@ -165,6 +166,15 @@ public final class DocsTest {
         }
         assertTrue(files.size() > 20, "snippets: " + files.size());
         compile(files, folder);
+        List<String> words = new ArrayList<>(List.of(SnippetContexts.class.getName()));
+        int statements = 0;
+        for (Path file : files) {
+            words.add(file.getFileName().toString().replace(".java", ""));
+            statements += Files.readString(file).contains("void snippet()") ? 1 : 0;
+        }
+        String said = run(folder, words.toArray(String[]::new));
+        assertEquals(statements, said.lines().filter(line -> line.startsWith("ran ")).count());
+        assertTrue(statements > 20, said);
     }
 
     /** README and the pages below docs. */
