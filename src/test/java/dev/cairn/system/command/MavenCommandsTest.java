@@ -111,7 +111,7 @@ final class MavenCommandsTest {
                             ""),
                     step(
                             "mvn -Pformat",
-                            "printf '\\n\\n\\n' >> build/Format.java && ! git diff --quiet"
+                            "printf '\\n\\n\\n' >> build/Bundle.java && ! git diff --quiet"
                                     + " && mvn -Pformat && git diff --exit-code",
                             "",
                             "BUILD SUCCESS"),
