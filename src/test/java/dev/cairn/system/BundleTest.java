@@ -212,6 +212,36 @@ final class BundleTest {
         assertEquals(published, named);
     }
 
+    /** It has no parent, but the same versions of plugins and the same time in what it packs. */
+    @Test
+    void theBillOfMaterialsIsBuiltAsTheRest() throws Exception {
+        Map<String, String> parent = plugins(DocsTest.ROOT.resolve("pom.xml"));
+        Map<String, String> bom = plugins(DocsTest.ROOT.resolve("cairn-bom/pom.xml"));
+        assertEquals(
+                Set.of("maven-install-plugin", "maven-deploy-plugin", "exec-maven-plugin"),
+                bom.keySet());
+        bom.forEach((name, version) -> assertEquals(parent.get(name), version, name));
+        assertEquals(timestamp("pom.xml"), timestamp("cairn-bom/pom.xml"));
+    }
+
+    /** Without it Maven writes other bytes each time. */
+    private static String timestamp(String pom) throws Exception {
+        Element project = xml(Files.readAllBytes(DocsTest.ROOT.resolve(pom)));
+        return text(child(project, "properties"), "project.build.outputTimestamp");
+    }
+
+    /** The versions of the plugins that a pom manages. */
+    private static Map<String, String> plugins(Path pom) throws Exception {
+        Element build = child(xml(Files.readAllBytes(pom)), "build");
+        NodeList all = child(build, "pluginManagement").getElementsByTagName("plugin");
+        Map<String, String> versions = new LinkedHashMap<>();
+        for (int i = 0; i < all.getLength(); i++) {
+            Element plugin = (Element) all.item(i);
+            versions.put(text(plugin, "artifactId"), text(plugin, "version"));
+        }
+        return versions;
+    }
+
     /** The quickstart's own pom asks for this version and for artifacts that the bill names. */
     @Test
     void theQuickstartAsksForThisVersion() throws Exception {

@@ -31,7 +31,7 @@ import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 
 /** What the pages for users say is so. */
-final class DocsTest {
+public final class DocsTest {
     private static final Pattern BLOCK = Pattern.compile("```java\\n(.*?)```", Pattern.DOTALL);
     private static final Pattern NAME = Pattern.compile("`(dev\\.cairn\\.[\\w.]+)(?:#(\\w+))?`");
     private static final Pattern EXPORT = Pattern.compile("exports (dev\\.cairn[\\w.]*);");
@@ -42,7 +42,8 @@ final class DocsTest {
     private static final Set<String> PROGRAMS =
             Set.of("MyScene" /* here */, "JmeAdapter", "GdxAdapter" /* AdaptersTest */);
 
-    static final Path ROOT = root();
+    /** Where the repository is. */
+    public static final Path ROOT = root();
 
     /** The repository: the nearest folder upwards with the pages. */
     private static Path root() {
@@ -145,10 +146,11 @@ final class DocsTest {
     /**
      * Every other Java snippet of README and docs, as a member or as statements of a class that
      * inherits what the page takes as given ({@link SnippetContexts}) and what its snippets before
-     * it declare.
+     * it declare; statements are run.
      */
     @Test
-    void everySnippetCompiles(@TempDir Path folder) throws IOException {
+    void everySnippetCompilesAndRuns(@TempDir Path folder)
+            throws IOException, InterruptedException {
         List<Path> files = new ArrayList<>();
         for (Path page : pages()) {
             String name = page.getFileName().toString().replace(".md", "");
@@ -164,6 +166,15 @@ final class DocsTest {
         }
         assertTrue(files.size() > 20, "snippets: " + files.size());
         compile(files, folder);
+        List<String> words = new ArrayList<>(List.of(SnippetContexts.class.getName()));
+        int statements = 0;
+        for (Path file : files) {
+            words.add(file.getFileName().toString().replace(".java", ""));
+            statements += Files.readString(file).contains("void snippet()") ? 1 : 0;
+        }
+        String said = run(folder, words.toArray(String[]::new));
+        assertEquals(statements, said.lines().filter(line -> line.startsWith("ran ")).count());
+        assertTrue(statements > 20, said);
     }
 
     /** README and the pages below docs. */

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /** Starts a program in a JVM of their own, with this JVM's class path and Java. */
-final class Jvm {
+public final class Jvm {
     private static final long LIMIT_SECONDS = 900;
 
     private Jvm() {}
@@ -33,7 +33,7 @@ final class Jvm {
     }
 
     /** The same of one that starts in the directory, and so finds and leaves files there. */
-    static String runInside(Path directory, String mainClass, List<String> arguments)
+    public static String runInside(Path directory, String mainClass, List<String> arguments)
             throws IOException, InterruptedException {
         return run(directory, directory, List.of(BRIEF), mainClass, arguments);
     }

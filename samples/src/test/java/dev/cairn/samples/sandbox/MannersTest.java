@@ -60,10 +60,29 @@ class MannersTest extends WindowFixture {
         await("the camera to follow", seen -> seen.flag("followed"));
         settle();
         look("followed");
+        Seen beside = now();
+        type("key", "u");
+        Seen passed = await("30 ticks", seen -> seen.number("tick") > beside.number("tick") + 30);
+        assertEquals(0, aroundBy(beside, passed), 0.05, "it only follows: " + last);
+        moveTo(512, 340); // wherever the box is now, it is in the middle
         doubleClick();
-        assertTrue(now().flag("followed"), "it turns with it: " + last);
+        Seen mounted = now();
+        assertTrue(mounted.flag("followed"), "it turns with it: " + last);
+        type("key", "u");
+        await("to be taken around", seen -> Math.abs(aroundBy(mounted, seen)) > 0.2);
+        settle();
+        look("riding");
         doubleClick();
         await("the camera to stand still", seen -> !seen.flag("followed"));
+        type("key", "r", "Home");
+        await("the stack as at first", seen -> seen.number("tick") < mounted.number("tick"));
+    }
+
+    /** By how much the camera's heading about the stack, which stands at the middle, differs. */
+    private static double aroundBy(Seen before, Seen after) {
+        double was = Math.atan2(before.number("eyeX"), before.number("eyeZ"));
+        double is = Math.atan2(after.number("eyeX"), after.number("eyeZ"));
+        return Math.IEEEremainder(is - was, 2 * Math.PI);
     }
 
     private void doubleClick() throws IOException, InterruptedException {

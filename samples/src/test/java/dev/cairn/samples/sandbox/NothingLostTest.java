@@ -53,10 +53,13 @@ class NothingLostTest extends WindowFixture {
         // A picture shows the scene alone, and the window says where it is.
         type("key", "F12");
         await("the notice", seen -> seen.values().containsKey("NoticeX"));
+        settle();
+        look("picture-saved");
         Path found;
         try (Stream<Path> files = Files.list(folder)) {
             found = files.filter(file -> file.toString().endsWith(".png")).findAny().orElseThrow();
         }
+        keep(found, "picture");
         int corner = ImageIO.read(found.toFile()).getRGB(60, 24) & 0xFFFFFF;
         assertTrue(corner != GLASS && (corner & 255) > 100, "%06x".formatted(corner));
         type("key", "p");
@@ -129,6 +132,7 @@ class NothingLostTest extends WindowFixture {
         settle();
         click("Window");
         await("the buttons of the scales", seen -> seen.values().containsKey("1.5X"));
+        aBoxIsSelectedInTheEditor();
         for (String scale : new String[] {"1.5", "2"}) {
             while (now().number(scale + "Y") > now().number("uiHeight") - 20) {
                 moveTo(150 * now().number("uiScale"), 300 * now().number("uiScale"));
@@ -148,9 +152,7 @@ class NothingLostTest extends WindowFixture {
             type("key", "Escape");
             await("the list to close", seen -> !seen.flag("help"));
             type("key", "F2");
-            await("the editor", seen -> seen.flag("paused") && seen.values().containsKey("boxX"));
-            settle();
-            click("box");
+            await("the fields", seen -> seen.flag("paused") && seen.values().containsKey("nameX"));
             settle();
             look("editor-" + scale);
             assertEquals(0, now().number("overlapping"), "the editor: " + last);
@@ -159,5 +161,19 @@ class NothingLostTest extends WindowFixture {
             await("the scene", seen -> !seen.flag("paused"));
             settle();
         }
+    }
+
+    private void aBoxIsSelectedInTheEditor() throws IOException, InterruptedException {
+        type("key", "F2");
+        await("the editor", seen -> seen.flag("paused") && seen.values().containsKey("boxX"));
+        click("box");
+        await("its fields", seen -> seen.values().containsKey("nameX"));
+        settle();
+        look("editor-1");
+        assertEquals(0, now().number("overlapping"), "the editor: " + last);
+        assertEquals(0, now().number("shortened"), "the editor: " + last);
+        type("key", "F2");
+        await("the scene", seen -> !seen.flag("paused"));
+        settle();
     }
 }

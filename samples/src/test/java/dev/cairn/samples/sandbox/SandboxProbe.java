@@ -1,11 +1,13 @@
 package dev.cairn.samples.sandbox;
 
 import dev.cairn.core.snapshot.PoseSnapshot;
+import dev.cairn.physics.BodyRef;
 import dev.cairn.render.app.DebugLayer;
 import dev.cairn.render.app.Scene;
 import dev.cairn.render.app.View;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.input.Bindings;
+import dev.cairn.render.input.Key;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.replay.RunFile;
@@ -86,6 +88,15 @@ final class SandboxProbe extends Sandbox {
     protected void initScene(Scene scene) {
         Arrays.fill(digests, 0); // another run
         super.initScene(scene);
+        scene.bindings().onKey(Key.U, "spin", () -> spin(scene));
+    }
+
+    /** What the camera follows turns about the vertical for a while. */
+    private static void spin(Scene scene) {
+        BodyRef body = scene.physics().bodyOf(scene.camera().followed());
+        if (body != null) {
+            body.setAngularVelocity(0, 8, 0);
+        }
     }
 
     private int layers() {
@@ -98,7 +109,8 @@ final class SandboxProbe extends Sandbox {
 
     private static String places(Ui ui) {
         StringBuilder line = new StringBuilder();
-        for (String widget : List.of("boxes", "box", "sink", "Notice", "[1]", "1", "1.5", "2")) {
+        for (String widget :
+                List.of("boxes", "box", "name", "sink", "Notice", "[1]", "1", "1.5", "2")) {
             line.append(WindowFixture.middle(ui, widget));
         }
         for (String button :

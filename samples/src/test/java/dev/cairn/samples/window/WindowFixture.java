@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import static java.nio.file.StandardCopyOption.REPLACE_EXISTING;
+
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.Main;
 
@@ -311,6 +313,14 @@ public abstract class WindowFixture {
         String pictures = System.getProperty("window.pictures");
         if (pictures != null) {
             ImageIO.write(screen(), "png", Path.of(pictures, name + ".png").toFile());
+        }
+    }
+
+    /** Keeps a picture that the program wrote in the same way. */
+    public void keep(Path picture, String name) throws IOException {
+        String pictures = System.getProperty("window.pictures");
+        if (pictures != null) {
+            Files.copy(picture, Path.of(pictures, name + ".png"), REPLACE_EXISTING);
         }
     }
 

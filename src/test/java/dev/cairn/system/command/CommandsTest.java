@@ -1,6 +1,8 @@
-package dev.cairn.system;
+package dev.cairn.system.command;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.system.DocsTest;
 
 import org.junit.jupiter.api.Test;
 

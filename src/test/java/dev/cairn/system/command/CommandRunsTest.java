@@ -1,10 +1,12 @@
-package dev.cairn.system;
+package dev.cairn.system.command;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.render.app.Offscreen;
 import dev.cairn.samples.Main;
+import dev.cairn.system.DocsTest;
+import dev.cairn.system.Jvm;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -25,8 +27,8 @@ import java.util.stream.Stream;
 /**
  * Every command of README, CONTRIBUTING and docs ({@link CommandsTest.PageCommands}) is in one of
  * two tables: what runs here, as it stands or in a small form by the same main class, and what runs
- * elsewhere, with where, or why nowhere. A command in neither fails the build, and so does a row
- * for no command.
+ * in another test, with why. A command in neither fails the build, and so does a row for no
+ * command.
  */
 final class CommandRunsTest {
     private static final String SAMPLES = "(?:java -jar samples/target/samples\\.jar|samples) ?";
@@ -90,13 +92,14 @@ final class CommandRunsTest {
                             "fuzz --worlds 2 --family HOUSE --keep 0 --seed 1",
                             false));
 
-    /** A command by a pattern, the test or file that runs it, and why it does not run here. */
+    /** A command by a pattern, the test that runs it, and why it does not run here. */
     private record There(String command, String by, String why) {}
-
-    private static final String NOWHERE = "";
 
     /** Small forms, where the classes of the benchmarks are. */
     private static final String SMALL = "BenchmarkCommandsTest";
+
+    /** Real ones, in a clone of these sources; each command has its row there. */
+    private static final String SHELL = "MavenCommandsTest";
 
     private static final List<There> THERE =
             List.of(
@@ -107,30 +110,20 @@ final class CommandRunsTest {
                     new There(SAMPLES + "gallery", "GalleryTest", "minutes; one of its takes"),
                     new There(SAMPLES + "pictures", "ThumbnailsTest", "minutes; a scene of it"),
                     new There(SAMPLES + "pictures --of-list", "ThumbnailsTest", "minutes"),
-                    new There(BENCHMARKS + "(-l|EcsIterate|-prof gc \\w+)?", "SmokeTest", "JMH"),
+                    new There(BENCHMARKS + "(EcsIterate|-prof gc \\w+)?", "SmokeTest", "JMH"),
                     new There(BENCHMARKS + "compare.*", SMALL, "hours; two seconds of it"),
                     new There(BENCHMARKS + "cost.*", SMALL, "minutes; 13 s of it, soak"),
                     new There(BENCHMARKS + "regress.*", SMALL, "minutes; 44 s of it, soak"),
                     new There(BENCHMARKS + "scaling", SMALL, "minutes; a scene, 3 ticks"),
                     new There(BENCHMARKS + "render-frame", SMALL, "minutes; ten bodies"),
                     new There(BENCHMARKS + "effect-frame.*", SMALL, "minutes; two bodies"),
-                    new There("java -jar stress/.*", NOWHERE, "minutes; needs profile stress"),
-                    new There("bash \\.ci/run", ".ci/run", "is the build itself"),
-                    new There("bash \\.ci/regress", ".ci/regress", "measures two commits"),
-                    new There("mvn verify", ".ci/run", "is the build itself"),
-                    new There("mvn (?=.*-Dtest=).*", ".ci/run", "a part of the build itself"),
+                    new There(BENCHMARKS + "-l", SHELL, "the jar itself"),
+                    new There("(JAVA_HOME=\\S+ )?mvn .*", SHELL, "a build in a build; soak"),
+                    new There("java -jar stress/.*", SHELL, "is built there; soak"),
+                    new There("bash .*", SHELL, "builds; soak"),
+                    new There("(apt-get|git|cd) .*", SHELL, "in a shell; soak"),
                     new There(
-                            "mvn -pl engine-physics -am verify", ".ci/run", "a part of the build"),
-                    new There("mvn package -DskipTests", ".ci/run", "a part of the build itself"),
-                    new There("mvn verify artifact:compare", NOWHERE, "two whole builds"),
-                    new There(
-                            "mvn -P\\w+.*", "CommandsTest", "a whole build; the profile is there"),
-                    new There("mvn compile exec:exec .*", "DocsTest", "both programs run there"),
-                    new There("mvn -(version|o)", NOWHERE, "Maven's own"),
-                    new There("JAVA_HOME=.* mvn \\.\\.", NOWHERE, "Maven's own"),
-                    new There("gradle run", "GradleLinesTest", "no Gradle; its lines are compared"),
-                    new There("apt-get install .*", ".ci/run", "installs into the machine"),
-                    new There("(git|cd) .*", NOWHERE, "the reader's own machine"));
+                            "gradle run", "GradleLinesTest", "no Gradle; its lines are compared"));
 
     private static final String MUG =
             """
@@ -163,7 +156,11 @@ final class CommandRunsTest {
     }
 
     private static boolean isThere(String command) {
-        return THERE.stream().anyMatch(row -> Pattern.matches(row.command, command));
+        return THERE.stream().anyMatch(row -> isThere(row, command));
+    }
+
+    private static boolean isThere(There row, String command) {
+        return Pattern.matches(row.command, command);
     }
 
     private static boolean isFor(Here row, String command) {
@@ -171,7 +168,7 @@ final class CommandRunsTest {
     }
 
     @Test
-    void everyCommandRunsHereOrSaysWhere() throws IOException {
+    void everyCommandIsRunByATest() throws IOException {
         Set<String> commands = CommandsTest.PageCommands.all();
         Set<String> unknown = new TreeSet<>();
         for (String command : commands) {
@@ -194,11 +191,20 @@ final class CommandRunsTest {
                         commands.stream().anyMatch(c -> Pattern.matches(row.command, c)),
                         "no page has " + row);
                 assertTrue(
-                        row.by.equals(NOWHERE)
-                                || sources.contains(row.by)
-                                || sources.stream().anyMatch(f -> f.endsWith(row.by + ".java")),
+                        sources.stream().anyMatch(f -> f.endsWith("/" + row.by + ".java")),
                         "there is no " + row.by);
             }
+        }
+        for (String command : commands) {
+            assertTrue(
+                    THERE.stream().noneMatch(r -> r.by.equals(SHELL) && isThere(r, command))
+                            || MavenCommandsTest.runs(command),
+                    command + " is run by no line of " + SHELL);
+        }
+        for (String pattern : MavenCommandsTest.patterns()) {
+            assertTrue(
+                    commands.stream().anyMatch(c -> Pattern.matches(pattern, c)),
+                    "no page has " + pattern);
         }
     }
 
