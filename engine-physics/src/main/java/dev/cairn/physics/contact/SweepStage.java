@@ -414,6 +414,10 @@ public final class SweepStage {
             setMeets(row);
             return;
         }
+        if (!isVeryFast && pair.goAround(row)) {
+            setMisses(i, row);
+            return;
+        }
         boolean meet = pair.meet(row, step);
         if (meet || pair.isUndecided()) {
             when[i] = isVeryFast ? pair.time() : when[i];

@@ -76,6 +76,9 @@ final class SweptPair implements MovingPair {
     private int slotA, slotB;
     private double step;
 
+    /** Whether {@link #meetSometime} saw them apart at the end of the tick. */
+    private boolean isSeenAtEnd;
+
     /** Of the last {@link #setUp}. */
     private double fromX, fromY, fromZ, met, exact, size, doubtA, doubtB;
 
@@ -128,7 +131,17 @@ final class SweptPair implements MovingPair {
      */
     boolean meetSometime(int row, double stepSeconds) {
         setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
-        return met == exact && search(met).haveMet(step) && isShort();
+        boolean haveMet = met == exact && search(met).haveMet(step);
+        isSeenAtEnd = met == exact && !haveMet;
+        return haveMet && isShort();
+    }
+
+    /** After {@link #meetSometime} said no: {@link #pass}, by an axis that turns. */
+    boolean goAround(int row) {
+        ContactStore c = contacts;
+        double margin = 2 * NEAR * size;
+        return isSeenAtEnd
+                && search.areHeldApart(c.normalX(row), c.normalY(row), c.normalZ(row), margin);
     }
 
     @Override

@@ -292,9 +292,7 @@ final class TunnellingGuard {
     /** Looks at the way of one collider of a row as seen from the other one. */
     private void guardRow(int part, int other, boolean isSeen) {
         int body = colliders.body[part];
-        if (!isDynamic(body)
-                || !(depenetration.isLoose(body) || isSeen)
-                || isWider(part, other)) {
+        if (!isDynamic(body) || !(depenetration.isLoose(body) || isSeen) || isWider(part, other)) {
             return;
         }
         keepOut(part, other);

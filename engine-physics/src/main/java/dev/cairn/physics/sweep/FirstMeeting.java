@@ -54,6 +54,9 @@ public final class FirstMeeting {
 
     private double met, scale;
 
+    /** What {@link #haveMet} saw, m. */
+    private double gapAtEnd;
+
     /** At the end of a trial span. */
     private double nextX, nextY, nextZ;
 
@@ -149,7 +152,29 @@ public final class FirstMeeting {
      */
     public boolean haveMet(double later) {
         until = later;
-        return look(later) <= 0;
+        gapAtEnd = look(later);
+        return gapAtEnd <= 0;
+    }
+
+    /**
+     * After {@link #haveMet} said no: whether two that {@link Reach} fits are held apart by an axis
+     * that turns to that of their distance then. The second proof above, by two support functions
+     * more; it decides most pairs that go around each other.
+     *
+     * @param nx unit axis from a to b at the start, world
+     * @param ny see {@code nx}
+     * @param nz see {@code nx}
+     * @param margin how much farther apart than met they have to stay, m
+     * @return false says nothing
+     */
+    public boolean areHeldApart(double nx, double ny, double nz, double margin) {
+        time = 0;
+        axisX = nx;
+        axisY = ny;
+        axisZ = nz;
+        double now = along(0) - margin;
+        double last = gapAtEnd - margin;
+        return now > 0 && last > 0 && isFree(until, now, last);
     }
 
     /**
@@ -210,7 +235,11 @@ public final class FirstMeeting {
             }
             double span = Math.min(trial(d, slope, bend() / boldness), most);
             double next = Math.min(time + span, until);
-            boolean isSafe = !(next > time + safe) || next == failed;
+            if (next == failed) {
+                // it would most likely fail again
+                next = time + 0.5 * (failed - time);
+            }
+            boolean isSafe = !(next > time + safe);
             next = isSafe ? time + safe : next;
             span = next - time;
             if (time + safe == time) {

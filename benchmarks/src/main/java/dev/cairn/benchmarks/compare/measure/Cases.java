@@ -80,6 +80,19 @@ public final class Cases {
                                 + " on the line of their push. A pyramid of friction makes a star"
                                 + " of the circle."),
                     Case.small(
+                            "slide-askew",
+                            "Long blocks slide askew",
+                            "friction-stop",
+                            Map.of("blocks", "8", "length", "0.6"),
+                            180,
+                            "distanceRelative",
+                            "distance error, share of the distance",
+                            2,
+                            "8 blocks of 0.6 x 0.1 x 0.3 m, all turned the same way, are pushed off"
+                                + " in 8 directions and stop after v²/(2 mu g) on the line of their"
+                                + " push: friction is opposite to the slip, however a block is"
+                                + " turned."),
+                    Case.small(
                             "slip-to-roll",
                             "Slip to roll",
                             "slip-to-roll",

@@ -32,8 +32,8 @@ import dev.cairn.physics.solver.body.SolverBodies;
  * the answer is still a sweep that changes nothing. No leap is made where sweeps lead away, nor one
  * that would pull.
  *
- * <p>One to a worker. Does not allocate. Source: D. G. Anderson, "Iterative procedures for nonlinear
- * integral equations", Journal of the ACM 12 (1965), with M = 2.
+ * <p>One to a worker. Does not allocate. Source: D. G. Anderson, "Iterative procedures for
+ * nonlinear integral equations", Journal of the ACM 12 (1965), with M = 2.
  */
 final class AndersonStep {
     private static final int NORMALS = 4;

@@ -311,12 +311,7 @@ final class LaneFriction implements LaneKernels.Friction {
         var limit = DoubleVector.fromArray(S, st, LIMIT);
         var bound = DoubleVector.fromArray(S, st, BOUND);
         var holds =
-                holds(
-                        slide,
-                        DoubleVector.fromArray(S, st, SPIN),
-                        limit,
-                        bound,
-                        bound.div(limit));
+                holds(slide, DoubleVector.fromArray(S, st, SPIN), limit, bound, bound.div(limit));
         int k = o + BLOCK * L;
         var k11 = DoubleVector.fromArray(S, d, k);
         var k12 = DoubleVector.fromArray(S, d, k + L);
@@ -329,8 +324,7 @@ final class LaneFriction implements LaneKernels.Friction {
         mass.intoArray(st, MASS_OF_SLIP);
         int l = o + LAMBDA * L;
         var f1 =
-                DoubleVector.fromArray(S, d, l)
-                        .sub(mass.mul(DoubleVector.fromArray(S, st, SPEED)));
+                DoubleVector.fromArray(S, d, l).sub(mass.mul(DoubleVector.fromArray(S, st, SPEED)));
         var f2 =
                 DoubleVector.fromArray(S, d, l + L)
                         .sub(mass.mul(DoubleVector.fromArray(S, st, SPEED + L)));
