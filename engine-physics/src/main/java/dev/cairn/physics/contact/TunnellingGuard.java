@@ -192,7 +192,7 @@ final class TunnellingGuard {
         double z = wayZ(c);
         double least = least(c);
         boolean isSolid = colliders.innerRadius[c] > 0 && !colliders.sensor[c];
-        return x * x + y * y + z * z > least * least && isSolid;
+        return x * x + y * y + z * z > least * least && isSolid && !colliders.isPart(c);
     }
 
     /** A way that is looked at is longer than this, m; any is, of a body that was struck. */
@@ -284,18 +284,29 @@ final class TunnellingGuard {
                 continue;
             }
             boolean isSeen = state[i] != SweepStage.HARMLESS;
-            guardRow(c.colliderA[row], c.colliderB[row], isSeen);
-            guardRow(c.colliderB[row], c.colliderA[row], isSeen);
+            guardRow(c.colliderA[row], c.colliderB[row], isSeen, isHooked);
+            guardRow(c.colliderB[row], c.colliderA[row], isSeen, isHooked);
         }
     }
 
     /** Looks at the way of one collider of a row as seen from the other one. */
-    private void guardRow(int part, int other, boolean isSeen) {
+    private void guardRow(int part, int other, boolean isSeen, boolean isHooked) {
         int body = colliders.body[part];
         if (!isDynamic(body) || !(depenetration.isLoose(body) || isSeen) || isWider(part, other)) {
             return;
         }
         keepOut(part, other);
+    }
+
+    /**
+     * Whether a part's whole, which has a row too, is kept out in its place; a hook sees the rows of
+     * parts. Behind what is thinner than the parts, one of them may be held off to the wrong side.
+     */
+    private boolean isCovered(int part, int other, boolean isHooked) {
+        boolean isThin =
+                colliders.innerRadius[other] < colliders.innerRadius[part]
+                        && Reach.fits(colliders.shape[other]);
+        return colliders.isPart(part) && !isHooked && !isThin;
     }
 
     /**

@@ -126,6 +126,51 @@ class PatchFrictionTest {
     }
 
     /**
+     * A block that is harder to move one way than the other: what is left of friction is opposite to
+     * the slip that is left, v' = v0 + M^-1 F', and as large as mu N.
+     */
+    @Test
+    void frictionIsOppositeToTheSlip() {
+        long seed = 23;
+        Random random = new Random(seed);
+        double worst = 0;
+        for (int i = 0; i < 10_000; i++) {
+            // M with axes turned anyhow, up to ten times as heavy along one as along the other
+            double heavy = power(random, -2, 2);
+            double light = heavy * power(random, -1, 0);
+            double turn = random.nextDouble() * Math.PI;
+            double mean = 0.5 * (heavy + light);
+            double half = 0.5 * (heavy - light) * StrictMath.cos(2 * turn);
+            double skew = 0.5 * (heavy - light) * StrictMath.sin(2 * turn);
+            double v1 = random.nextGaussian();
+            double v2 = random.nextGaussian();
+            // what stops the slip: F = -M v
+            double f1 = -((mean + half) * v1 + skew * v2);
+            double f2 = -(skew * v1 + (mean - half) * v2);
+            double size = Math.sqrt(f1 * f1 + f2 * f2);
+            double limit = size * random.nextDouble();
+            double give = PatchFriction.give(f1, f2, 0, 0, mean, half, skew, 1, limit);
+            // F' = mu N (D M + mu N)^-1 F, by Cramer's rule
+            double a11 = give * (mean + half) + limit;
+            double a22 = give * (mean - half) + limit;
+            double a12 = give * skew;
+            double det = a11 * a22 - a12 * a12;
+            double g1 = limit * (a22 * f1 - a12 * f2) / det;
+            double g2 = limit * (a11 * f2 - a12 * f1) / det;
+            double m = heavy * light;
+            double left1 = v1 + ((mean - half) * g1 - skew * g2) / m;
+            double left2 = v2 + ((mean + half) * g2 - skew * g1) / m;
+            double left = Math.sqrt(left1 * left1 + left2 * left2);
+            double cosine = -(g1 * left1 + g2 * left2) / (limit * left);
+            worst = Math.max(worst, 1 - cosine);
+            worst = Math.max(worst, Math.abs(left / give - 1));
+            worst = Math.max(worst, Math.abs(Math.sqrt(g1 * g1 + g2 * g2) / limit - 1));
+        }
+        // what three steps leave where the one axis is ten times as heavy as the other
+        assertTrue(worst < 1e-5, "worst " + worst + ", seed " + seed);
+    }
+
+    /**
      * Coulomb's law, {@code F <= mu N}, for patches of any radius: where all weight is on one point
      * the radius is next to 0, and a patch with a radius of 0 is a point.
      */
@@ -169,7 +214,8 @@ class PatchFrictionTest {
             double g) {
         double whole = (PatchFriction.FAR + PatchFriction.NEAR * g) * r2 * limit;
         double across = Math.sqrt((PatchFriction.FAR + PatchFriction.CLOSE * g) * r2 * spin);
-        return PatchFriction.give(Math.sqrt(slide), across, whole, mass, inertia, limit);
+        return PatchFriction.give(
+                Math.sqrt(slide), 0, across, whole, mass, 0, 0, inertia, limit);
     }
 
     private static double left(

@@ -16,13 +16,21 @@ package dev.cairn.physics.solver.kernel;
  * beyond. The ends are exact to second order in e and 1/e; k is right to 1 %.
  *
  * <p>The impulses F, T that would stop everything are scaled back such that the law holds for the
- * velocities after them: with effective masses m, J and {@code D = S}, {@code F' = F mu N/(m D + mu
- * N), T' = T k R² mu N/(J D + k R² mu N)}, and one equation, {@code (F/(m D + mu N))² + s (R T/(J D
- * + k R² mu N))² = 1}, is left for {@code D >= 0}. Slide and spin alone each give a D that is not
- * too large; from the larger of them, Newton's method on one over the root of the left side has the
- * rest in three steps. (From 0 it is as good while R is some centimetres, but where all weight is
- * on one point R is next to 0, and the friction was up to six times what Coulomb allows.) Where the
- * left side is at most 1 at D = 0, the patch sticks.
+ * velocities after them: with the effective masses M (of both tangents, 2 x 2) and J, and {@code D =
+ * S},
+ *
+ * <pre>
+ *   F' = mu N (D M + mu N)^-1 F,      T' = k R² mu N (J D + k R² mu N)^-1 T,
+ *   |F'/mu N|² + s (R T/(J D + k R² mu N))² = 1
+ * </pre>
+ *
+ * <p>so F' is opposite to the slip that is left, however the body is turned: a box is harder to move
+ * along than across where friction also tips it, and F itself, drawn back to mu N, is along M v. (A
+ * box that slid askew was turned aside by up to a tenth of its way.) Slide and spin alone each give a
+ * D that is not too large; from the larger of them, Newton's method on one over the root of the left
+ * side has the rest in three steps. (From 0 it is as good while R is some centimetres, but where all
+ * weight is on one point R is next to 0, and the friction was up to six times what Coulomb allows.)
+ * Where the left side is at most 1 at D = 0, the patch sticks.
  *
  * <p>Source: quadrature over the disc; P. D. Weidman and C. P. Malhotra, "On the terminal motion of
  * sliding spinning disks with uniform Coulomb friction", Physica D 233 (2007); own fit.
@@ -72,30 +80,7 @@ public final class PatchFriction {
      */
     public static final double STALE = 16;
 
-    /** Of the mean mass: a mass that slips is no smaller, whatever rounding says. */
-    public static final double LIGHT = 1e-6;
-
     private PatchFriction() {}
-
-    /**
-     * The mass of what slips, one for both tangents, so that it is braked along its slip.
-     *
-     * <p>A box is harder to move along than across where the friction also tips it: {@code K^-1} is
-     * not a multiple of 1, and {@code l - K^-1 v}, drawn back to the limit, ends along {@code K^-1
-     * v}. A box that slid askew was so turned aside by up to a tenth of its way. With one mass m
-     * sweeps end where friction is along v, and they end for {@code m = 2/(k1 + k2)}, k the inverse
-     * masses along the axes of K: {@code m = a - b²/a}, a the mean of the diagonal of {@code K^-1}
-     * and b² what makes its axes differ.
-     *
-     * @param k11 of {@code K^-1}, kg
-     * @param k12 see {@code k11}
-     * @param k22 see {@code k11}
-     */
-    public static double mass(double k11, double k12, double k22) {
-        double mean = 0.5 * (k11 + k22);
-        double half = 0.5 * (k11 - k22);
-        return Math.max(mean - (half * half + k12 * k12) / mean, LIGHT * mean);
-    }
 
     /**
      * Whether a patch sticks beyond any doubt, of rounding too; most of those at rest do.
@@ -139,29 +124,53 @@ public final class PatchFriction {
      * D: the slip that is left, m/s. Squares are taken of ratios up to 1 only: a patch whose weight
      * is on one point is as good as without a radius, and its numbers may be of any size.
      *
-     * @param slide impulse that stops the slide
+     * @param f1 impulse that stops the slide, along the first tangent
+     * @param f2 the same, along the second
      * @param across impulse that stops the spin, times R and the root of s
      * @param whole {@code k R² mu N}
+     * @param mean half the trace of M
+     * @param half half the difference of its diagonal
+     * @param skew its entry beside the diagonal
      */
     public static double give(
-            double slide, double across, double whole, double mass, double inertia, double limit) {
+            double f1,
+            double f2,
+            double across,
+            double whole,
+            double mean,
+            double half,
+            double skew,
+            double inertia,
+            double limit) {
+        double slide = Math.sqrt(f1 * f1 + f2 * f2);
+        double stiff = mean + Math.sqrt(half * half + skew * skew);
         // no less than what the slide alone, or the spin alone, would leave
         double give =
-                Math.max(Math.max((slide - limit) / mass, (across - whole) / (inertia + SHORT)), 0);
+                Math.max(
+                        Math.max((slide - limit) / stiff, (across - whole) / (inertia + SHORT)), 0);
         for (int i = 0; i < STEPS; i++) {
-            double u = 1 / (mass * give + limit);
+            double u = 1 / (mean * give + limit);
             double w = 1 / (inertia * (give + SHORT) + whole + LEAST);
-            double p = slide * u;
+            // (D M + mu N)^-1 = u ((1, 0; 0, 1) - (b1, b2; b2, -b1))/(1 - b1² - b2²)
+            double b1 = give * u * half;
+            double b2 = give * u * skew;
+            double one = u / (1 - (b1 * b1 + b2 * b2));
+            double p1 = one * ((1 - b1) * f1 - b2 * f2);
+            double p2 = one * ((1 + b1) * f2 - b2 * f1);
             double q = across * w;
-            // (p² + q²) over the square of the larger
-            double most = Math.max(p, q);
-            double one = 1 / most;
-            p *= one;
-            q *= one;
-            p *= p;
-            q *= q;
-            double h = p + q;
-            give += h * (Math.sqrt(h) * most - 1) / (p * (mass * u) + q * (inertia * w));
+            // all squares over that of the largest
+            double most = Math.max(Math.max(Math.abs(p1), Math.abs(p2)), q);
+            double scale = 1 / most;
+            p1 *= scale;
+            p2 *= scale;
+            q *= scale;
+            double h = p1 * p1 + p2 * p2 + q * q;
+            double y1 = (1 - b1) * p1 - b2 * p2;
+            double y2 = (1 + b1) * p2 - b2 * p1;
+            double z1 = (mean + half) * p1 + skew * p2;
+            double z2 = (mean - half) * p2 + skew * p1;
+            double fall = one * (y1 * z1 + y2 * z2) + q * q * (inertia * w);
+            give += h * (Math.sqrt(h) * most - 1) / fall;
             give = Math.max(give, 0);
         }
         return give;

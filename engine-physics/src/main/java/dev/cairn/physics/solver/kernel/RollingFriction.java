@@ -204,6 +204,15 @@ public final class RollingFriction {
                 - RowArithmetic.dot(d, lever, lanes, body, a + 3);
     }
 
+    /** Adds to the impulses of a row, and turns its bodies. */
+    public static void give(
+            RollingRows r, int at, double[] body, int a, int b, double d1, double d2) {
+        r.put(at, RollingRows.LAMBDA, r.get(at, RollingRows.LAMBDA) + d1);
+        r.put(at, RollingRows.LAMBDA + 1, r.get(at, RollingRows.LAMBDA + 1) + d2);
+        turn(r, at, RollingRows.LEVER, body, a, -d1, -d2);
+        turn(r, at, RollingRows.LEVER + 6, body, b, d1, d2);
+    }
+
     private static void turn(
             RollingRows r, int at, int lever, double[] body, int o, double d1, double d2) {
         for (int k = 0; k < 3 && o != 0; k++) {

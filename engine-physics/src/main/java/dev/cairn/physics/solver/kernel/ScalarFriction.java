@@ -112,29 +112,35 @@ public final class ScalarFriction {
         double spin = Math.abs(twist);
         if (limit > 0 && !PatchFriction.isStuck(size, spin, limit * limit, bound)) {
             double reach = bound / limit;
-            double mass = 0;
-            boolean holds = PatchFriction.holds(size, spin, limit * limit, bound, reach);
-            if (!holds) {
-                mass = PatchFriction.mass(d[k], d[k + lanes], d[k + 2 * lanes]);
-                f1 = d[l] - mass * v1;
-                f2 = d[l + lanes] - mass * v2;
-                size = f1 * f1 + f2 * f2;
-                holds = PatchFriction.holds(size, spin, limit * limit, bound, reach);
-            }
-            if (!holds) {
+            if (!PatchFriction.holds(size, spin, limit * limit, bound, reach)) {
+                double mean = 0.5 * (d[k] + d[k + 2 * lanes]);
+                double half = 0.5 * (d[k] - d[k + 2 * lanes]);
+                double skew = d[k + lanes];
                 double inertia = d[o + TWIST_MASS * lanes];
                 double radius = PatchFriction.RADIUS * reach;
-                double slide = Math.sqrt(size);
-                double share = PatchFriction.share(slide, spin, reach, mass, inertia);
+                double share = PatchFriction.share(Math.sqrt(size), spin, reach, mean, inertia);
                 double whole =
                         (PatchFriction.FAR + PatchFriction.NEAR * share)
                                 * (radius * radius)
                                 * limit;
                 double across =
                         Math.sqrt(PatchFriction.FAR + PatchFriction.CLOSE * share) * spin * radius;
-                double give = PatchFriction.give(slide, across, whole, mass, inertia, limit);
-                scale = limit / (mass * give + limit);
-                twistScale = whole / (inertia * give + whole + PatchFriction.LEAST);
+                double give =
+                        PatchFriction.give(
+                                f1, f2, across, whole, mean, half, skew, inertia, limit);
+                double u = 1 / (mean * give + limit);
+                double w = 1 / (inertia * give + whole + PatchFriction.LEAST);
+                double b1 = give * u * half;
+                double b2 = give * u * skew;
+                double one = u / (1 - (b1 * b1 + b2 * b2));
+                double p1 = one * ((1 - b1) * f1 - b2 * f2);
+                double p2 = one * ((1 + b1) * f2 - b2 * f1);
+                double q = across * w;
+                // what three steps have left
+                double rest = 1 / Math.sqrt(p1 * p1 + p2 * p2 + q * q);
+                f1 = p1 * (limit * rest);
+                f2 = p2 * (limit * rest);
+                twistScale = whole * w * rest;
             }
         }
         f1 = f1 * scale + 0.0;

@@ -13,6 +13,9 @@ import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
 import static dev.cairn.physics.solver.row.ConstraintRows.TWIST;
 
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.kernel.RollingFriction;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.RollingRows;
 
 /**
  * Anderson's mixing with two steps of memory, for the sweeps of one row: where they come nearer to
@@ -29,8 +32,9 @@ import dev.cairn.physics.solver.body.SolverBodies;
  * <pre>  x' = g - s dg - s' dg',   with s, s' that make |f - s df - s' df'| least</pre>
  *
  * would lead to the end. It is taken as impulses on the bodies, so momentum stays; what counts as
- * the answer is still a sweep that changes nothing. No leap is made where sweeps lead away, nor one
- * that would pull.
+ * the answer is still a sweep that changes nothing. No leap is made where sweeps lead away, nor
+ * a long one, nor where a point does not press before or after it: which ones do is not for a leap
+ * to decide.
  *
  * <p>One to a worker. Does not allocate. Source: D. G. Anderson, "Iterative procedures for
  * nonlinear integral equations", Journal of the ACM 12 (1965), with M = 2.
@@ -38,11 +42,19 @@ import dev.cairn.physics.solver.body.SolverBodies;
 final class AndersonStep {
     private static final int NORMALS = 4;
 
-    /** Of the unknowns: four normal impulses, friction along both tangents, twist. */
-    private static final int FRICTION = NORMALS, SPIN = NORMALS + 2, SIZE = NORMALS + 3;
+    /** Of the unknowns: four normal impulses, friction along both tangents, twist, roll. */
+    private static final int FRICTION = NORMALS, SPIN = NORMALS + 2, ROLL = NORMALS + 3;
+
+    private static final int SIZE = ROLL + 2;
 
     /** Square of the sine between two differences up to which they are one. */
     private static final double ALIKE = 1e-8;
+
+    /**
+     * Square of how many times as far as the last sweep a leap leads at most. What leaps farther does
+     * so along a direction in which sweeps hardly lead back, as where four points share their load.
+     */
+    private static final double FAR = 16;
 
     private final double[] start = new double[SIZE];
     private final double[] end = new double[SIZE];
@@ -63,14 +75,18 @@ final class AndersonStep {
         sweeps = 0;
     }
 
-    /** Before a sweep of the row at {@code o}. */
-    void start(double[] d, int o, int lanes, int points) {
-        read(d, o, lanes, points, start);
+    /**
+     * Before a sweep of the row at {@code place}.
+     *
+     * @param at its place in {@code rolling}
+     */
+    void start(ConstraintRows rows, int place, RollingRows rolling, int at) {
+        read(rows, place, rolling, at, start);
     }
 
     /** After the sweep: leaps to where its change would be 0. */
-    void leap(double[] d, int o, int lanes, double[] body, int a, int b, int points) {
-        read(d, o, lanes, points, end);
+    void leap(ConstraintRows rows, int place, RollingRows rolling, int at, double[] body) {
+        read(rows, place, rolling, at, end);
         double[] oldest = endsBefore;
         endsBefore = ends;
         ends = oldest;
@@ -91,8 +107,8 @@ final class AndersonStep {
             lastChange[i] = change[i];
         }
         sweeps++;
-        if (sweeps > 1 && now < before && find(points)) {
-            give(d, o, lanes, body, a, b, points);
+        if (sweeps > 1 && now < before && find(rows.points(place))) {
+            give(rows, place, rolling, at, body);
         }
     }
 
@@ -104,16 +120,25 @@ final class AndersonStep {
         return sum;
     }
 
-    private static void read(double[] d, int o, int lanes, int points, double[] to) {
+    private static void read(
+            ConstraintRows rows, int place, RollingRows rolling, int at, double[] to) {
+        double[] d = rows.doubles;
+        int o = rows.base(place);
+        int lanes = rows.lanes;
+        int points = rows.points(place);
         for (int p = 0; p < NORMALS; p++) {
             to[p] = p < points ? d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes] : 0;
         }
         for (int f = 0; f < 3; f++) {
             to[FRICTION + f] = d[o + (LAMBDA + f) * lanes];
         }
+        boolean rolls = rolling.has(at);
+        for (int k = 0; k < 2; k++) {
+            to[ROLL + k] = rolls ? rolling.get(at, RollingRows.LAMBDA + k) : 0;
+        }
     }
 
-    /** Finds the leap; false if there is none. The twist has another unit, and has no say. */
+    /** Finds the leap; false if there is none. Torques have another unit, and no say. */
     private boolean find(int points) {
         double k11 = dot(changes, changes);
         if (!(k11 > 0)) {
@@ -135,15 +160,25 @@ final class AndersonStep {
         for (int i = 0; i < SIZE; i++) {
             leap[i] = -share * ends[i] - shareBefore * endsBefore[i];
         }
+        if (!(dot(leap, leap) <= FAR * dot(change, change))) {
+            return false;
+        }
         for (int p = 0; p < points; p++) {
-            if (end[p] + leap[p] < 0) {
+            if (!(end[p] > 0 && start[p] > 0 && end[p] + leap[p] > 0)) {
                 return false;
             }
         }
         return true;
     }
 
-    private void give(double[] d, int o, int lanes, double[] body, int a, int b, int points) {
+    private void give(
+            ConstraintRows rows, int place, RollingRows rolling, int at, double[] body) {
+        double[] d = rows.doubles;
+        int o = rows.base(place);
+        int lanes = rows.lanes;
+        int points = rows.points(place);
+        int a = rows.link[place * ConstraintRows.LINK];
+        int b = rows.link[place * ConstraintRows.LINK + ConstraintRows.BODY_B];
         for (int p = 0; p < points; p++) {
             d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes] += leap[p];
             d[o + (SUM + p) * lanes] += leap[p];
@@ -154,6 +189,9 @@ final class AndersonStep {
         }
         give(d, o, lanes, body, a, points, -1, 0);
         give(d, o, lanes, body, b, points, 1, 1);
+        if (rolling.has(at)) {
+            RollingFriction.give(rolling, at, body, a, b, leap[ROLL], leap[ROLL + 1]);
+        }
     }
 
     /** {@code v += m (n sum(l) + t1 f1 + t2 f2)} and what their levers do, on one side. */

@@ -41,7 +41,7 @@ final class SingleContact {
      * @param gain what gravity adds to a speed in the sub-step, m/s
      * @param place of the only row of body {@code i}
      * @param at its place in {@code rolling}
-     * @param mixing spares sweeps where nothing rolls
+     * @param mixing spares sweeps
      */
     static void agree(
             ConstraintRows rows,
@@ -57,25 +57,20 @@ final class SingleContact {
         if (!moves(body, SolverBodies.offset(i), STILL * gain)) {
             return;
         }
-        double[] d = rows.doubles;
-        int o = rows.base(place);
-        int points = rows.points(place);
-        int a = rows.link[place * ConstraintRows.LINK];
-        int b = rows.link[place * ConstraintRows.LINK + ConstraintRows.BODY_B];
-        boolean rolls = rolling.has(at);
         mixing.begin();
         for (int k = 0; k < sub.lone; k++) {
-            mixing.start(d, o, rows.lanes, points);
+            mixing.start(rows, place, rolling, at);
             double change = again(rows, body, sub, place, scratch.doubles);
-            if (rolls) {
+            if (rolling.has(at)) {
                 change = Math.max(change, RollingFriction.row(rows, place, body, rolling, at));
             }
-            if (!(change > AGREES * RowArithmetic.largest(d, o, rows.lanes, points))) {
+            double largest =
+                    RowArithmetic.largest(
+                            rows.doubles, rows.base(place), rows.lanes, rows.points(place));
+            if (!(change > AGREES * largest)) {
                 return;
             }
-            if (!rolls) {
-                mixing.leap(d, o, rows.lanes, body, a, b, points);
-            }
+            mixing.leap(rows, place, rolling, at, body);
         }
     }
 

@@ -39,10 +39,11 @@ final class LaneFriction implements LaneKernels.Friction {
     private static final int HELD = SLIDE + 9 * L;
     private static final int WANTED = SLIDE + 10 * L;
 
-    /** Slip along both tangents, and the mass of what slips. */
-    private static final int SPEED = SLIDE + 12 * L;
+    /** Of a group that slips, see {@link PatchFriction#give}, and the slip that is left. */
+    private static final int ACROSS = SLIDE + 12 * L;
 
-    private static final int MASS_OF_SLIP = SLIDE + 14 * L;
+    private static final int WHOLE = SLIDE + 13 * L;
+    private static final int GIVE = SLIDE + 14 * L;
 
     @Override
     public boolean solve(ConstraintRows rows, int from, int to, double[] st, int g, int marks) {
@@ -69,8 +70,11 @@ final class LaneFriction implements LaneKernels.Friction {
         boolean again = mark(d, o, st, g, marks);
         spin(d, o, st, g);
         if (slide(d, o, st, g)) {
-            brake(d, o, st);
             slip(d, o, st);
+            for (int i = 0; i < PatchFriction.STEPS; i++) {
+                newton(d, o, st);
+            }
+            brake(d, o, st);
         }
         give(d, o, st, g);
         push(d, o, st, g);
@@ -209,8 +213,6 @@ final class LaneFriction implements LaneKernels.Friction {
                                         .mul(ax)
                                         .add(DoubleVector.fromArray(S, d, v + 4 * L).mul(ay))
                                         .add(DoubleVector.fromArray(S, d, v + 5 * L).mul(az)));
-        v1.intoArray(st, SPEED);
-        v2.intoArray(st, SPEED + L);
         int k = o + BLOCK * L;
         var k12 = DoubleVector.fromArray(S, d, k + L);
         int l = o + LAMBDA * L;
@@ -305,80 +307,37 @@ final class LaneFriction implements LaneKernels.Friction {
         }
     }
 
-    /** Lanes that slip are braked along their slip, see {@link PatchFriction#mass}. */
-    private static void brake(double[] d, int o, double[] st) {
-        var slide = DoubleVector.fromArray(S, st, SLIDE);
+    /** What the spin of a group that slips does, and the least slip that is left of it. */
+    private static void slip(double[] d, int o, double[] st) {
+        var slide = DoubleVector.fromArray(S, st, SLIDE).sqrt();
+        var spin = DoubleVector.fromArray(S, st, SPIN);
         var limit = DoubleVector.fromArray(S, st, LIMIT);
-        var bound = DoubleVector.fromArray(S, st, BOUND);
-        var holds =
-                holds(slide, DoubleVector.fromArray(S, st, SPIN), limit, bound, bound.div(limit));
         int k = o + BLOCK * L;
         var k11 = DoubleVector.fromArray(S, d, k);
-        var k12 = DoubleVector.fromArray(S, d, k + L);
+        var skew = DoubleVector.fromArray(S, d, k + L);
         var k22 = DoubleVector.fromArray(S, d, k + 2 * L);
         var mean = k11.add(k22).mul(0.5);
         var half = k11.sub(k22).mul(0.5);
-        var mass =
-                mean.sub(half.mul(half).add(k12.mul(k12)).div(mean))
-                        .max(mean.mul(PatchFriction.LIGHT));
-        mass.intoArray(st, MASS_OF_SLIP);
-        int l = o + LAMBDA * L;
-        var f1 =
-                DoubleVector.fromArray(S, d, l).sub(mass.mul(DoubleVector.fromArray(S, st, SPEED)));
-        var f2 =
-                DoubleVector.fromArray(S, d, l + L)
-                        .sub(mass.mul(DoubleVector.fromArray(S, st, SPEED + L)));
-        f1.mul(f1).add(f2.mul(f2)).blend(slide, holds).intoArray(st, SLIDE);
-        f1.blend(DoubleVector.fromArray(S, st, WANTED), holds).intoArray(st, WANTED);
-        f2.blend(DoubleVector.fromArray(S, st, WANTED + L), holds).intoArray(st, WANTED + L);
-    }
-
-    /** See {@link PatchFriction#holds}. */
-    private static VectorMask<Double> holds(
-            DoubleVector slide,
-            DoubleVector spin,
-            DoubleVector limit,
-            DoubleVector bound,
-            DoubleVector reach) {
-        var l2 = limit.mul(limit);
-        var rim = spin.div(reach.add(PatchFriction.SHORT));
-        return slide.compare(VectorOperators.LE, l2)
-                .and(spin.compare(VectorOperators.LE, bound))
-                .and(
-                        slide.mul(9.0)
-                                .add(rim.mul(rim).mul(16.0))
-                                .compare(VectorOperators.LE, l2.mul(9.0)));
-    }
-
-    /**
-     * The shares of the impulses that the slipping lanes of a group can give, see {@link
-     * PatchFriction}.
-     */
-    private static void slip(double[] d, int o, double[] st) {
-        var slide = DoubleVector.fromArray(S, st, SLIDE);
-        var spin = DoubleVector.fromArray(S, st, SPIN);
-        var limit = DoubleVector.fromArray(S, st, LIMIT);
-        var bound = DoubleVector.fromArray(S, st, BOUND);
-        var mass = DoubleVector.fromArray(S, st, MASS_OF_SLIP);
         var inertia = DoubleVector.fromArray(S, d, o + TWIST_MASS * L);
-        var reach = bound.div(limit);
+        var reach = DoubleVector.fromArray(S, st, BOUND).div(limit);
         var radius = reach.mul(PatchFriction.RADIUS);
-        var slides = slide.sqrt();
         var x =
-                slides.mul(inertia.div(mass.mul(reach.add(PatchFriction.SHORT))))
+                slide.mul(inertia.div(mean.mul(reach.add(PatchFriction.SHORT))))
                         .div(spin.mul(PatchFriction.RADIUS).add(PatchFriction.LEAST));
         var e = x.mul(x);
-        var one = DoubleVector.broadcast(S, 1.0);
         var inner =
                 e.mul(e.mul(e.mul(e).mul(PatchFriction.EIGHTH).add(PatchFriction.FOURTH)).add(1.0))
                         .add(1.0);
         var share =
-                one.div(
-                        e.mul(PatchFriction.FAST)
-                                .sub(PatchFriction.LESS)
-                                .blend(
-                                        inner,
-                                        e.compare(VectorOperators.LT, PatchFriction.TURNING)));
+                DoubleVector.broadcast(S, 1.0)
+                        .div(
+                                e.mul(PatchFriction.FAST)
+                                        .sub(PatchFriction.LESS)
+                                        .blend(
+                                                inner,
+                                                e.compare(
+                                                        VectorOperators.LT,
+                                                        PatchFriction.TURNING)));
         var whole =
                 share.mul(PatchFriction.NEAR)
                         .add(PatchFriction.FAR)
@@ -386,43 +345,112 @@ final class LaneFriction implements LaneKernels.Friction {
                         .mul(limit);
         var across =
                 share.mul(PatchFriction.CLOSE).add(PatchFriction.FAR).sqrt().mul(spin).mul(radius);
-        var give =
-                slides.sub(limit)
-                        .div(mass)
-                        .max(across.sub(whole).div(inertia.add(PatchFriction.SHORT)))
-                        .max(0.0);
-        for (int i = 0; i < PatchFriction.STEPS; i++) {
-            var u = one.div(mass.mul(give).add(limit));
-            var w =
-                    one.div(
-                            inertia.mul(give.add(PatchFriction.SHORT))
-                                    .add(whole)
-                                    .add(PatchFriction.LEAST));
-            var p = slides.mul(u);
-            var q = across.mul(w);
-            var most = p.max(q);
-            var inverse = one.div(most);
-            p = p.mul(inverse);
-            q = q.mul(inverse);
-            p = p.mul(p);
-            q = q.mul(q);
-            var h = p.add(q);
-            give =
-                    give.add(
-                                    h.mul(h.sqrt().mul(most).sub(1.0))
-                                            .div(p.mul(mass.mul(u)).add(q.mul(inertia.mul(w)))))
-                            .max(0.0);
-        }
-        var holds = holds(slide, spin, limit, bound, reach);
-        var hasFriction = limit.compare(VectorOperators.GT, 0.0);
-        limit.div(mass.mul(give).add(limit))
+        whole.intoArray(st, WHOLE);
+        across.intoArray(st, ACROSS);
+        var stiff = mean.add(half.mul(half).add(skew.mul(skew)).sqrt());
+        slide.sub(limit)
+                .div(stiff)
+                .max(across.sub(whole).div(inertia.add(PatchFriction.SHORT)))
+                .max(0.0)
+                .intoArray(st, GIVE);
+    }
+
+    /** A step of Newton's method for the slip that is left. */
+    private static void newton(double[] d, int o, double[] st) {
+        var f1 = DoubleVector.fromArray(S, st, WANTED);
+        var f2 = DoubleVector.fromArray(S, st, WANTED + L);
+        var give = DoubleVector.fromArray(S, st, GIVE);
+        int k = o + BLOCK * L;
+        var k11 = DoubleVector.fromArray(S, d, k);
+        var skew = DoubleVector.fromArray(S, d, k + L);
+        var k22 = DoubleVector.fromArray(S, d, k + 2 * L);
+        var mean = k11.add(k22).mul(0.5);
+        var half = k11.sub(k22).mul(0.5);
+        var inertia = DoubleVector.fromArray(S, d, o + TWIST_MASS * L);
+        var unit = DoubleVector.broadcast(S, 1.0);
+        var u = unit.div(mean.mul(give).add(DoubleVector.fromArray(S, st, LIMIT)));
+        var w =
+                unit.div(
+                        inertia.mul(give.add(PatchFriction.SHORT))
+                                .add(DoubleVector.fromArray(S, st, WHOLE))
+                                .add(PatchFriction.LEAST));
+        var b1 = give.mul(u).mul(half);
+        var b2 = give.mul(u).mul(skew);
+        var one = u.div(unit.sub(b1.mul(b1).add(b2.mul(b2))));
+        var less = unit.sub(b1);
+        var more = unit.add(b1);
+        var p1 = one.mul(less.mul(f1).sub(b2.mul(f2)));
+        var p2 = one.mul(more.mul(f2).sub(b2.mul(f1)));
+        var q = DoubleVector.fromArray(S, st, ACROSS).mul(w);
+        var most = p1.abs().max(p2.abs()).max(q);
+        var scale = unit.div(most);
+        p1 = p1.mul(scale);
+        p2 = p2.mul(scale);
+        q = q.mul(scale);
+        var h = p1.mul(p1).add(p2.mul(p2)).add(q.mul(q));
+        var y1 = less.mul(p1).sub(b2.mul(p2));
+        var y2 = more.mul(p2).sub(b2.mul(p1));
+        var z1 = mean.add(half).mul(p1).add(skew.mul(p2));
+        var z2 = mean.sub(half).mul(p2).add(skew.mul(p1));
+        var fall =
+                one.mul(y1.mul(z1).add(y2.mul(z2))).add(q.mul(q).mul(inertia.mul(w)));
+        give.add(h.mul(h.sqrt().mul(most).sub(1.0)).div(fall)).max(0.0).intoArray(st, GIVE);
+    }
+
+    /** The impulses that slipping lanes of a group can give, see {@link PatchFriction}. */
+    private static void brake(double[] d, int o, double[] st) {
+        var f1 = DoubleVector.fromArray(S, st, WANTED);
+        var f2 = DoubleVector.fromArray(S, st, WANTED + L);
+        var give = DoubleVector.fromArray(S, st, GIVE);
+        var limit = DoubleVector.fromArray(S, st, LIMIT);
+        var whole = DoubleVector.fromArray(S, st, WHOLE);
+        int k = o + BLOCK * L;
+        var k11 = DoubleVector.fromArray(S, d, k);
+        var skew = DoubleVector.fromArray(S, d, k + L);
+        var k22 = DoubleVector.fromArray(S, d, k + 2 * L);
+        var mean = k11.add(k22).mul(0.5);
+        var half = k11.sub(k22).mul(0.5);
+        var unit = DoubleVector.broadcast(S, 1.0);
+        var u = unit.div(mean.mul(give).add(limit));
+        var w =
+                unit.div(
+                        DoubleVector.fromArray(S, d, o + TWIST_MASS * L)
+                                .mul(give)
+                                .add(whole)
+                                .add(PatchFriction.LEAST));
+        var b1 = give.mul(u).mul(half);
+        var b2 = give.mul(u).mul(skew);
+        var one = u.div(unit.sub(b1.mul(b1).add(b2.mul(b2))));
+        var p1 = one.mul(unit.sub(b1).mul(f1).sub(b2.mul(f2)));
+        var p2 = one.mul(unit.add(b1).mul(f2).sub(b2.mul(f1)));
+        var q = DoubleVector.fromArray(S, st, ACROSS).mul(w);
+        var rest = unit.div(p1.mul(p1).add(p2.mul(p2)).add(q.mul(q)).sqrt());
+        var holds = holds(st);
+        p1.mul(limit.mul(rest)).blend(f1, holds).intoArray(st, WANTED);
+        p2.mul(limit.mul(rest)).blend(f2, holds).intoArray(st, WANTED + L);
+        var bound = DoubleVector.fromArray(S, st, BOUND);
+        whole.mul(w)
+                .mul(rest)
                 .blend(1.0, holds)
-                .blend(0.0, hasFriction.not())
-                .intoArray(st, SLIDE_SHARE);
-        whole.div(inertia.mul(give).add(whole).add(PatchFriction.LEAST))
-                .blend(1.0, holds.and(bound.compare(VectorOperators.GT, 0.0)))
                 .blend(0.0, bound.compare(VectorOperators.LE, 0.0))
                 .intoArray(st, SPIN_SHARE);
+    }
+
+    /** See {@link PatchFriction#holds}; also where nothing presses. */
+    private static VectorMask<Double> holds(double[] st) {
+        var slide = DoubleVector.fromArray(S, st, SLIDE);
+        var spin = DoubleVector.fromArray(S, st, SPIN);
+        var limit = DoubleVector.fromArray(S, st, LIMIT);
+        var bound = DoubleVector.fromArray(S, st, BOUND);
+        var l2 = limit.mul(limit);
+        var rim = spin.div(bound.div(limit).add(PatchFriction.SHORT));
+        return slide.compare(VectorOperators.LE, l2)
+                .and(spin.compare(VectorOperators.LE, bound))
+                .and(
+                        slide.mul(9.0)
+                                .add(rim.mul(rim).mul(16.0))
+                                .compare(VectorOperators.LE, l2.mul(9.0)))
+                .or(limit.compare(VectorOperators.LE, 0.0));
     }
 
     @Override

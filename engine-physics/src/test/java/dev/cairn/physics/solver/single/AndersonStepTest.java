@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.EdgeList;
 
 import org.junit.jupiter.api.Test;
 
@@ -17,7 +18,8 @@ class AndersonStepTest {
     private static final double[] SHARES = {0.6, 0.3};
 
     private final SplittableRandom random = new SplittableRandom(11);
-    private final double[] row = new double[ConstraintRows.FIELDS];
+    private final ConstraintRows rows = new EdgeList().doubles;
+    private double[] row = {};
     private final double[] body = new double[128];
     private final double[] end = new double[SIZE];
 
@@ -26,7 +28,16 @@ class AndersonStepTest {
         {0.5, 0.5, -0.5, -0.5, 0, 0, 0}, {0, 0, 0, 0, 0.6, 0.8, 0}
     };
 
-    private static int at(int unknown) {
+    /** Where a field of the row is. */
+    private int in(int field) {
+        return rows.base(0) + field * rows.lanes;
+    }
+
+    private int at(int unknown) {
+        return in(field(unknown));
+    }
+
+    private static int field(int unknown) {
         return unknown < 4
                 ? ConstraintRows.POINT
                         + unknown * ConstraintRows.POINT_FIELDS
@@ -35,8 +46,12 @@ class AndersonStepTest {
     }
 
     private void begin() {
-        for (int i = 0; i < row.length; i++) {
-            row[i] = random.nextDouble() - 0.5;
+        rows.ensurePlaces(1);
+        rows.link[ConstraintRows.BODY_B] = BODY;
+        rows.link[ConstraintRows.COUNT] = 4;
+        row = rows.doubles;
+        for (int i = 0; i < ConstraintRows.FIELDS; i++) {
+            row[in(i)] = random.nextDouble() - 0.5;
         }
         body[BODY + SolverBodies.MASS] = 0.3;
         for (int i = 0; i < SIZE; i++) {
@@ -75,10 +90,10 @@ class AndersonStepTest {
         AndersonStep mixing = new AndersonStep();
         mixing.begin();
         for (int k = 0; k < 3; k++) {
-            mixing.start(row, 0, 1, 4);
+            mixing.start(rows, 0, rows.rolling, 0);
             sweep();
             assertTrue(k == 2 || error() > 1e-3, "there too early, sweep " + k);
-            mixing.leap(row, 0, 1, body, 0, BODY, 4);
+            mixing.leap(rows, 0, rows.rolling, 0, body);
         }
         assertEquals(0, error(), 1e-12, "where three sweeps end");
     }
@@ -95,27 +110,27 @@ class AndersonStepTest {
             sums[i] = row[sum(i)];
         }
         for (int k = 0; k < 3; k++) {
-            mixing.start(row, 0, 1, 4);
+            mixing.start(rows, 0, rows.rolling, 0);
             sweep();
             for (int i = 0; i < SIZE; i++) {
                 given[i] -= row[at(i)];
             }
-            mixing.leap(row, 0, 1, body, 0, BODY, 4);
+            mixing.leap(rows, 0, rows.rolling, 0, body);
             for (int i = 0; i < SIZE; i++) {
                 given[i] += row[at(i)];
             }
         }
         for (int axis = 0; axis < 3; axis++) {
             double push = 0;
-            double turn = given[6] * row[ConstraintRows.TWIST + 3 + axis];
+            double turn = given[6] * row[in(ConstraintRows.TWIST + 3 + axis)];
             for (int p = 0; p < 4; p++) {
-                push += given[p] * row[axis];
+                push += given[p] * row[in(axis)];
                 int point = ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS;
-                turn += given[p] * row[point + ConstraintRows.ARM_B + axis];
+                turn += given[p] * row[in(point + ConstraintRows.ARM_B + axis)];
             }
             for (int f = 0; f < 2; f++) {
-                push += given[4 + f] * row[ConstraintRows.TANGENT1 + 3 * f + axis];
-                turn += given[4 + f] * row[ConstraintRows.LEVER + 6 + 3 * f + axis];
+                push += given[4 + f] * row[in(ConstraintRows.TANGENT1 + 3 * f + axis)];
+                turn += given[4 + f] * row[in(ConstraintRows.LEVER + 6 + 3 * f + axis)];
             }
             assertEquals(0.3 * push, body[BODY + axis], 1e-14, "velocity, axis " + axis);
             assertEquals(turn, body[BODY + 3 + axis], 1e-14, "spin, axis " + axis);
@@ -125,8 +140,8 @@ class AndersonStepTest {
         }
     }
 
-    private static int sum(int unknown) {
-        return unknown < 4 ? ConstraintRows.SUM + unknown : ConstraintRows.TOTAL + unknown - 4;
+    private int sum(int unknown) {
+        return in(unknown < 4 ? ConstraintRows.SUM + unknown : ConstraintRows.TOTAL + unknown - 4);
     }
 
     /** Where sweeps lead away nothing is leapt. */
@@ -136,12 +151,12 @@ class AndersonStepTest {
         AndersonStep mixing = new AndersonStep();
         mixing.begin();
         for (int k = 0; k < 3; k++) {
-            mixing.start(row, 0, 1, 4);
+            mixing.start(rows, 0, rows.rolling, 0);
             for (int i = 0; i < SIZE; i++) {
                 row[at(i)] += (k + 1) * 0.1;
             }
             double[] before = row.clone();
-            mixing.leap(row, 0, 1, body, 0, BODY, 4);
+            mixing.leap(rows, 0, rows.rolling, 0, body);
             for (int i = 0; i < row.length; i++) {
                 assertEquals(before[i], row[i], 0.0, "field " + i + ", sweep " + k);
             }
