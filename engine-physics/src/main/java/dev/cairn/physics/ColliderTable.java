@@ -342,10 +342,13 @@ final class ColliderTable implements Stateful {
             return false;
         }
         int body = colliders.body[collider];
-        GroundEdit.wake(colliders, table.sleepers, collider, after);
+        GroundEdit edit = GroundEdit.of(colliders, collider, after);
         colliders.replace(collider, collider == body ? whole.placed : whole.solid());
         specs[collider] = whole;
-        contacts().renew(collider, colliders);
+        if (edit != null) {
+            edit.wake(table.sleepers);
+            edit.renew(contacts());
+        }
         colliders.measure(body);
         table.registry.changed(body);
         return true;

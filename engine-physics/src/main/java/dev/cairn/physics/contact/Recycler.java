@@ -42,7 +42,7 @@ final class Recycler {
     static final int LIMIT = 9;
 
     /** The separation up to which nothing is left out, m. */
-    static final int GAP = 10;
+    static final int GAP = ContactStore.KEPT_GAP;
 
     /** The points on the incident box in its axes, m, three numbers each. */
     static final int POINT = ContactStore.KEPT_POINT;

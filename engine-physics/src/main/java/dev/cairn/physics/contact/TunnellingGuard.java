@@ -299,8 +299,9 @@ final class TunnellingGuard {
     }
 
     /**
-     * Whether a part's whole, which has a row too, is kept out in its place; a hook sees the rows of
-     * parts. Behind what is thinner than the parts, one of them may be held off to the wrong side.
+     * Whether a part's whole, which has a row too, is kept out in its place; a hook sees the rows
+     * of parts. Behind what is thinner than the parts, one of them may be held off to the wrong
+     * side.
      */
     private boolean isCovered(int part, int other, boolean isHooked) {
         boolean isThin =

@@ -39,6 +39,9 @@ public class ContactColumns {
     /** Of a row's: its points on the incident shape in that one's axes, m, three numbers each. */
     public static final int KEPT_POINT = 12;
 
+    /** Where in it is how far around the shape the pair was looked through, m. */
+    public static final int KEPT_GAP = 10;
+
     /** Slots of the two colliders, the lower one first: a row is of a pair of these. */
     public int[] colliderA = {}, colliderB = {};
 

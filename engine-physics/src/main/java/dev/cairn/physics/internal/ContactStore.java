@@ -485,11 +485,16 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     public void renew(int collider, ColliderStore colliders) {
         for (int row = 0; row < count; row++) {
             if (colliderA[row] == collider || colliderB[row] == collider) {
-                ContactMaterials.join(this, row, colliders, colliderA[row], colliderB[row]);
-                cache[row] = 0;
-                keeps[row] = false;
-                Arrays.fill(memory, remembered * row, remembered * row + remembered, 0);
+                renewRow(row, colliders);
             }
         }
+    }
+
+    /** The same of one row. */
+    public void renewRow(int row, ColliderStore colliders) {
+        ContactMaterials.join(this, row, colliders, colliderA[row], colliderB[row]);
+        cache[row] = 0;
+        keeps[row] = false;
+        Arrays.fill(memory, remembered * row, remembered * row + remembered, 0);
     }
 }

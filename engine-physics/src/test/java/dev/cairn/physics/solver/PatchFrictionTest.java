@@ -126,8 +126,8 @@ class PatchFrictionTest {
     }
 
     /**
-     * A block that is harder to move one way than the other: what is left of friction is opposite to
-     * the slip that is left, v' = v0 + M^-1 F', and as large as mu N.
+     * A block that is harder to move one way than the other: what is left of friction is opposite
+     * to the slip that is left, v' = v0 + M^-1 F', and as large as mu N.
      */
     @Test
     void frictionIsOppositeToTheSlip() {
@@ -214,8 +214,7 @@ class PatchFrictionTest {
             double g) {
         double whole = (PatchFriction.FAR + PatchFriction.NEAR * g) * r2 * limit;
         double across = Math.sqrt((PatchFriction.FAR + PatchFriction.CLOSE * g) * r2 * spin);
-        return PatchFriction.give(
-                Math.sqrt(slide), 0, across, whole, mass, 0, 0, inertia, limit);
+        return PatchFriction.give(Math.sqrt(slide), 0, across, whole, mass, 0, 0, inertia, limit);
     }
 
     private static double left(

@@ -16,21 +16,21 @@ package dev.cairn.physics.solver.kernel;
  * beyond. The ends are exact to second order in e and 1/e; k is right to 1 %.
  *
  * <p>The impulses F, T that would stop everything are scaled back such that the law holds for the
- * velocities after them: with the effective masses M (of both tangents, 2 x 2) and J, and {@code D =
- * S},
+ * velocities after them: with the effective masses M (of both tangents, 2 x 2) and J, and {@code D
+ * = S},
  *
  * <pre>
  *   F' = mu N (D M + mu N)^-1 F,      T' = k R² mu N (J D + k R² mu N)^-1 T,
  *   |F'/mu N|² + s (R T/(J D + k R² mu N))² = 1
  * </pre>
  *
- * <p>so F' is opposite to the slip that is left, however the body is turned: a box is harder to move
- * along than across where friction also tips it, and F itself, drawn back to mu N, is along M v. (A
- * box that slid askew was turned aside by up to a tenth of its way.) Slide and spin alone each give a
- * D that is not too large; from the larger of them, Newton's method on one over the root of the left
- * side has the rest in three steps. (From 0 it is as good while R is some centimetres, but where all
- * weight is on one point R is next to 0, and the friction was up to six times what Coulomb allows.)
- * Where the left side is at most 1 at D = 0, the patch sticks.
+ * <p>so F' is opposite to the slip that is left, however the body is turned: a box is harder to
+ * move along than across where friction also tips it, and F itself, drawn back to mu N, is along M
+ * v. (A box that slid askew was turned aside by up to a tenth of its way.) Slide and spin alone
+ * each give a D that is not too large; from the larger of them, Newton's method on one over the
+ * root of the left side has the rest in three steps. (From 0 it is as good while R is some
+ * centimetres, but where all weight is on one point R is next to 0, and the friction was up to six
+ * times what Coulomb allows.) Where the left side is at most 1 at D = 0, the patch sticks.
  *
  * <p>Source: quadrature over the disc; P. D. Weidman and C. P. Malhotra, "On the terminal motion of
  * sliding spinning disks with uniform Coulomb friction", Physica D 233 (2007); own fit.

@@ -126,8 +126,7 @@ public final class ScalarFriction {
                 double across =
                         Math.sqrt(PatchFriction.FAR + PatchFriction.CLOSE * share) * spin * radius;
                 double give =
-                        PatchFriction.give(
-                                f1, f2, across, whole, mean, half, skew, inertia, limit);
+                        PatchFriction.give(f1, f2, across, whole, mean, half, skew, inertia, limit);
                 double u = 1 / (mean * give + limit);
                 double w = 1 / (inertia * give + whole + PatchFriction.LEAST);
                 double b1 = give * u * half;

@@ -32,9 +32,9 @@ import dev.cairn.physics.solver.row.RollingRows;
  * <pre>  x' = g - s dg - s' dg',   with s, s' that make |f - s df - s' df'| least</pre>
  *
  * would lead to the end. It is taken as impulses on the bodies, so momentum stays; what counts as
- * the answer is still a sweep that changes nothing. No leap is made where sweeps lead away, nor
- * a long one, nor where a point does not press before or after it: which ones do is not for a leap
- * to decide.
+ * the answer is still a sweep that changes nothing. No leap is made where sweeps lead away, nor a
+ * long one, nor where a point does not press before or after it: which ones do is not for a leap to
+ * decide.
  *
  * <p>One to a worker. Does not allocate. Source: D. G. Anderson, "Iterative procedures for
  * nonlinear integral equations", Journal of the ACM 12 (1965), with M = 2.
@@ -51,8 +51,9 @@ final class AndersonStep {
     private static final double ALIKE = 1e-8;
 
     /**
-     * Square of how many times as far as the last sweep a leap leads at most. What leaps farther does
-     * so along a direction in which sweeps hardly lead back, as where four points share their load.
+     * Square of how many times as far as the last sweep a leap leads at most. What leaps farther
+     * does so along a direction in which sweeps hardly lead back, as where four points share their
+     * load.
      */
     private static final double FAR = 16;
 
@@ -171,8 +172,7 @@ final class AndersonStep {
         return true;
     }
 
-    private void give(
-            ConstraintRows rows, int place, RollingRows rolling, int at, double[] body) {
+    private void give(ConstraintRows rows, int place, RollingRows rolling, int at, double[] body) {
         double[] d = rows.doubles;
         int o = rows.base(place);
         int lanes = rows.lanes;

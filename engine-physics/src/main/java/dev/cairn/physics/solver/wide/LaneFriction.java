@@ -392,8 +392,7 @@ final class LaneFriction implements LaneKernels.Friction {
         var y2 = more.mul(p2).sub(b2.mul(p1));
         var z1 = mean.add(half).mul(p1).add(skew.mul(p2));
         var z2 = mean.sub(half).mul(p2).add(skew.mul(p1));
-        var fall =
-                one.mul(y1.mul(z1).add(y2.mul(z2))).add(q.mul(q).mul(inertia.mul(w)));
+        var fall = one.mul(y1.mul(z1).add(y2.mul(z2))).add(q.mul(q).mul(inertia.mul(w)));
         give.add(h.mul(h.sqrt().mul(most).sub(1.0)).div(fall)).max(0.0).intoArray(st, GIVE);
     }
 
