@@ -292,7 +292,10 @@ final class TunnellingGuard {
     /** Looks at the way of one collider of a row as seen from the other one. */
     private void guardRow(int part, int other, boolean isSeen, boolean isHooked) {
         int body = colliders.body[part];
-        if (!isDynamic(body) || !(depenetration.isLoose(body) || isSeen) || isWider(part, other)) {
+        if (!isDynamic(body)
+                || !(depenetration.isLoose(body) || isSeen)
+                || isWider(part, other)
+                || isCovered(part, other, isHooked)) {
             return;
         }
         keepOut(part, other);
