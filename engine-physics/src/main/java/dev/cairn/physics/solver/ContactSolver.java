@@ -300,7 +300,7 @@ public final class ContactSolver {
             p.drift(sub, head, tail);
             p.joints.place(firstJoined, endJoined);
             p.moveSides(sub, b);
-            if (bounces) {
+            if (bounces && k + 1 < sub.count) {
                 p.limit(sub, head, tail);
             }
             if (renewed) {

@@ -207,8 +207,12 @@ public final class RollingFriction {
     /** Adds to the impulses of a row, and turns its bodies. */
     public static void give(
             RollingRows r, int at, double[] body, int a, int b, double d1, double d2) {
-        r.put(at, RollingRows.LAMBDA, r.get(at, RollingRows.LAMBDA) + d1);
-        r.put(at, RollingRows.LAMBDA + 1, r.get(at, RollingRows.LAMBDA + 1) + d2);
+        double l1 = /*(float)*/ r.get(at, RollingRows.LAMBDA);
+        double l2 = /*(float)*/ r.get(at, RollingRows.LAMBDA + 1);
+        l1 += d1;
+        l2 += d2;
+        r.put(at, RollingRows.LAMBDA, l1);
+        r.put(at, RollingRows.LAMBDA + 1, l2);
         turn(r, at, RollingRows.LEVER, body, a, -d1, -d2);
         turn(r, at, RollingRows.LEVER + 6, body, b, d1, d2);
     }
