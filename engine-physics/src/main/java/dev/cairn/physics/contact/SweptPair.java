@@ -481,29 +481,15 @@ final class SweptPair implements MovingPair {
         if (isDynamic && f.rim() > 0 && free.begin(s, body, step)) {
             f.tumbles(free, step);
         }
-        return isDynamic ? doubt(body, slot) : 0;
+        double most = MOST_DOUBT * colliders.innerRadius[slot];
+        double doubt = isDynamic ? FreeTurn.doubt(s, body, step, colliders.outerRadius[slot]) : 0;
+        return Math.min(doubt, most);
     }
 
     /** Acceleration of a body that flies along an axis, m/s². */
     private double acceleration(int body, double gravity, double[] force) {
         BodyStore s = colliders.bodies;
         return s.gravityScale[body] * gravity + s.inverseMass[body] * force[body];
-    }
-
-    /** How far a torque may take a point of a body off its way, t²/2 J torque, at most; m. */
-    private double doubt(int body, int slot) {
-        BodyStore s = colliders.bodies;
-        double x = s.torqueX[body];
-        double y = s.torqueY[body];
-        double z = s.torqueZ[body];
-        if (x == 0 && y == 0 && z == 0) {
-            return 0;
-        }
-        double least =
-                s.inverseInertiaXX[body] + s.inverseInertiaYY[body] + s.inverseInertiaZZ[body];
-        double turned = 0.5 * step * step * least * Math.sqrt(x * x + y * y + z * z);
-        double most = MOST_DOUBT * colliders.innerRadius[slot];
-        return Math.min(turned * colliders.outerRadius[slot], most);
     }
 
     @Override

@@ -274,4 +274,24 @@ public final class FreeTurn {
         double most = STEADY * (x * x + y * y + z * z) * (lx * lx + ly * ly + lz * lz);
         return cx * cx + cy * cy + cz * cz <= most;
     }
+
+    /**
+     * How far a torque may take a point of a body off its way within a tick, t²/2 J torque, at
+     * most.
+     *
+     * @param step length of the tick, s
+     * @param radius how far the point is from the centre of mass at most, m
+     * @return m; 0 without a torque
+     */
+    public static double doubt(BodyStore s, int body, double step, double radius) {
+        double x = s.torqueX[body];
+        double y = s.torqueY[body];
+        double z = s.torqueZ[body];
+        if (x == 0 && y == 0 && z == 0) {
+            return 0;
+        }
+        double least =
+                s.inverseInertiaXX[body] + s.inverseInertiaYY[body] + s.inverseInertiaZZ[body];
+        return 0.5 * step * step * least * Math.sqrt(x * x + y * y + z * z) * radius;
+    }
 }
