@@ -84,6 +84,37 @@ class FirstMeetingTest {
         assertTrue(meeting > 1000, "meeting " + meeting + ", seed " + seed);
     }
 
+    /** Who overlaps at the end has met; who is held apart by an axis that turns to there has not. */
+    @Test
+    void whatIsSeenAtTheEndTellsWhatWasBefore() {
+        long seed = 21;
+        SplittableRandom random = new SplittableRandom(seed);
+        int met = 0;
+        int apart = 0;
+        for (int i = 0; i < 4000; i++) {
+            FirstMeeting search = new FirstMeeting(new NarrowPhase(), 128, 0x1p-16, MOST);
+            Flight a = turning(random);
+            Flight b = turning(random);
+            double[] n = direction(random);
+            double far = random.nextDouble(0.9, 1.6);
+            double x = far * n[0];
+            double y = far * n[1];
+            double z = far * n[2];
+            search.of(a, b, x, y, z, 1e-9);
+            boolean isApart = search.gap(0) > 0;
+            boolean haveMet = search.haveMet(SECONDS);
+            boolean around = !haveMet && search.areHeldApart(n[0], n[1], n[2], 1e-9);
+            boolean meets = search.of(a, b, x, y, z, 0).find(0, SECONDS, 1);
+            String which = "seed " + seed + ", run " + i;
+            assertFalse(isApart && haveMet && !meets && !search.isUndecided, which + ": met");
+            assertFalse(around && (meets || search.isUndecided), which + ": held apart");
+            met += isApart && haveMet ? 1 : 0;
+            apart += around ? 1 : 0;
+        }
+        assertTrue(met > 200, "met " + met + ", seed " + seed);
+        assertTrue(apart > 1000, "held apart " + apart + ", seed " + seed);
+    }
+
     /** A box of about a metre that turns by up to 2.5 rad a tick, and flies as far. */
     private static Flight turning(SplittableRandom random) {
         Flight f = new Flight();

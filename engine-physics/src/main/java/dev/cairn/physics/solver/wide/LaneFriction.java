@@ -44,6 +44,8 @@ final class LaneFriction implements LaneKernels.Friction {
 
     private static final int WHOLE = SLIDE + 13 * L;
     private static final int GIVE = SLIDE + 14 * L;
+    private static final int MEAN = SLIDE + 15 * L;
+    private static final int HALF = SLIDE + 16 * L;
 
     @Override
     public boolean solve(ConstraintRows rows, int from, int to, double[] st, int g, int marks) {
@@ -345,6 +347,8 @@ final class LaneFriction implements LaneKernels.Friction {
                         .mul(limit);
         var across =
                 share.mul(PatchFriction.CLOSE).add(PatchFriction.FAR).sqrt().mul(spin).mul(radius);
+        mean.intoArray(st, MEAN);
+        half.intoArray(st, HALF);
         whole.intoArray(st, WHOLE);
         across.intoArray(st, ACROSS);
         var stiff = mean.add(half.mul(half).add(skew.mul(skew)).sqrt());
@@ -360,12 +364,9 @@ final class LaneFriction implements LaneKernels.Friction {
         var f1 = DoubleVector.fromArray(S, st, WANTED);
         var f2 = DoubleVector.fromArray(S, st, WANTED + L);
         var give = DoubleVector.fromArray(S, st, GIVE);
-        int k = o + BLOCK * L;
-        var k11 = DoubleVector.fromArray(S, d, k);
-        var skew = DoubleVector.fromArray(S, d, k + L);
-        var k22 = DoubleVector.fromArray(S, d, k + 2 * L);
-        var mean = k11.add(k22).mul(0.5);
-        var half = k11.sub(k22).mul(0.5);
+        var skew = DoubleVector.fromArray(S, d, o + (BLOCK + 1) * L);
+        var mean = DoubleVector.fromArray(S, st, MEAN);
+        var half = DoubleVector.fromArray(S, st, HALF);
         var inertia = DoubleVector.fromArray(S, d, o + TWIST_MASS * L);
         var unit = DoubleVector.broadcast(S, 1.0);
         var u = unit.div(mean.mul(give).add(DoubleVector.fromArray(S, st, LIMIT)));
@@ -403,12 +404,9 @@ final class LaneFriction implements LaneKernels.Friction {
         var give = DoubleVector.fromArray(S, st, GIVE);
         var limit = DoubleVector.fromArray(S, st, LIMIT);
         var whole = DoubleVector.fromArray(S, st, WHOLE);
-        int k = o + BLOCK * L;
-        var k11 = DoubleVector.fromArray(S, d, k);
-        var skew = DoubleVector.fromArray(S, d, k + L);
-        var k22 = DoubleVector.fromArray(S, d, k + 2 * L);
-        var mean = k11.add(k22).mul(0.5);
-        var half = k11.sub(k22).mul(0.5);
+        var skew = DoubleVector.fromArray(S, d, o + (BLOCK + 1) * L);
+        var mean = DoubleVector.fromArray(S, st, MEAN);
+        var half = DoubleVector.fromArray(S, st, HALF);
         var unit = DoubleVector.broadcast(S, 1.0);
         var u = unit.div(mean.mul(give).add(limit));
         var w =
