@@ -84,7 +84,9 @@ class FirstMeetingTest {
         assertTrue(meeting > 1000, "meeting " + meeting + ", seed " + seed);
     }
 
-    /** Who overlaps at the end has met; who is held apart by an axis that turns to there has not. */
+    /**
+     * Who overlaps at the end has met; who is held apart by an axis that turns to there has not.
+     */
     @Test
     void whatIsSeenAtTheEndTellsWhatWasBefore() {
         long seed = 21;
