@@ -64,18 +64,26 @@ class MannersTest extends WindowFixture {
         type("key", "u");
         Seen passed = await("30 ticks", seen -> seen.number("tick") > beside.number("tick") + 30);
         assertEquals(0, aroundBy(beside, passed), 0.05, "it only follows: " + last);
-        moveTo(512, 340); // wherever the box is now, it is in the middle
-        doubleClick();
         Seen mounted = now();
-        assertTrue(mounted.flag("followed"), "it turns with it: " + last);
-        type("key", "u");
-        await("to be taken around", seen -> Math.abs(aroundBy(mounted, seen)) > 0.2);
+        boolean turns = false;
+        // a second click that comes late is a single one: then it only follows, or stands
+        for (int tries = 0; tries < 5 && !turns; tries++) {
+            moveTo(512, 340); // wherever the box is now, it is in the middle
+            doubleClick();
+            mounted = now();
+            type("key", "u");
+            for (int look = 0; mounted.flag("followed") && look < 100 && !turns; look++) {
+                turns = Math.abs(aroundBy(mounted, now())) > 0.2;
+            }
+        }
+        assertTrue(turns, "it turns with it: " + last);
         settle();
         look("riding");
         doubleClick();
         await("the camera to stand still", seen -> !seen.flag("followed"));
         type("key", "r", "Home");
-        await("the stack as at first", seen -> seen.number("tick") < mounted.number("tick"));
+        double ridden = mounted.number("tick");
+        await("the stack as at first", seen -> seen.number("tick") < ridden);
     }
 
     /** By how much the camera's heading about the stack, which stands at the middle, differs. */
