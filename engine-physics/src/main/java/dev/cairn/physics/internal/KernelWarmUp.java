@@ -75,6 +75,9 @@ public abstract class KernelWarmUp {
     /** Told once, when they are not. */
     protected void giveUp() {}
 
+    /** Told once, after the last round: the made-up data are not needed any more. */
+    protected void end() {}
+
     /** Whether the kernels are compiled and worth using. Any thread. */
     public final boolean isReady() {
         return isReady;
@@ -149,6 +152,7 @@ public abstract class KernelWarmUp {
             // Nobody interrupts this thread; if somebody does, the kernels stay as they are.
             Thread.currentThread().interrupt();
         } finally {
+            end();
             isOver = true;
             if (hasTurn) {
                 TURN.unlock();

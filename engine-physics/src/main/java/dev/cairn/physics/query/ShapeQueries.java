@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Rays, moving shapes, distances and overlaps of single shapes. Owns scratch memory: one per
- * thread. Allocates nothing.
+ * thread. Allocates nothing but that, when it is needed first.
  */
 public final class ShapeQueries {
     private static final int MOST_STEPS = 64;
@@ -19,7 +19,9 @@ public final class ShapeQueries {
     /** So small a ball that it is a point: its radius is lost in the rounding of any coordinate. */
     private static final Sphere POINT = Sphere.of(1e-50);
 
-    private final NarrowPhase narrowPhase = new NarrowPhase();
+    /** Made when it is needed first: much of a world never asks. */
+    private @Nullable NarrowPhase narrowPhase;
+
     private final Manifold manifold = new Manifold();
     private final Placement moving = new Placement();
 
@@ -54,15 +56,22 @@ public final class ShapeQueries {
         return convexDistance(a, b);
     }
 
+    private NarrowPhase narrowPhase() {
+        if (narrowPhase == null) {
+            narrowPhase = new NarrowPhase();
+        }
+        return narrowPhase;
+    }
+
     private MeshQueries meshes() {
         if (meshQueries == null) {
-            meshQueries = new MeshQueries(narrowPhase);
+            meshQueries = new MeshQueries(narrowPhase());
         }
         return meshQueries;
     }
 
     private double convexDistance(Placement a, Placement b) {
-        return narrowPhase.distance(
+        return narrowPhase().distance(
                 a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, b.x - a.x,
                 b.y - a.y, b.z - a.z);
     }
@@ -99,7 +108,7 @@ public final class ShapeQueries {
             return d;
         }
         double d =
-                narrowPhase.closest(
+                narrowPhase().closest(
                         a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, b.x - a.x,
                         b.y - a.y, b.z - a.z, manifold);
         double half = d / 2;
@@ -221,7 +230,7 @@ public final class ShapeQueries {
     public boolean timeOfImpact(
             Placement a, Motion motionA, Placement b, Motion motionB, double seconds, Hit out) {
         if (sweeps == null) {
-            sweeps = new Sweeps(narrowPhase, meshes());
+            sweeps = new Sweeps(narrowPhase(), meshes());
         }
         return sweeps.meet(a, motionA, b, motionB, seconds, out);
     }
@@ -338,9 +347,9 @@ public final class ShapeQueries {
         double t = 0;
         for (int step = 0; ; step++) {
             double s = convexDistance(mover, target);
-            double nx = narrowPhase.axisX();
-            double ny = narrowPhase.axisY();
-            double nz = narrowPhase.axisZ();
+            double nx = narrowPhase().axisX();
+            double ny = narrowPhase().axisY();
+            double nz = narrowPhase().axisZ();
             // What the coordinates can tell apart.
             double reach =
                     Math.abs(mover.x - target.x)
@@ -382,7 +391,7 @@ public final class ShapeQueries {
             return;
         }
         double d =
-                narrowPhase.closest(
+                narrowPhase().closest(
                         mover.shape,
                         target.shape,
                         mover.qx,

@@ -13,6 +13,8 @@ import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.HalfSpace;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * The row of M and a joined surface: M's contact with the plane of it, if each point of that is
  * over a member of the surface. It goes on where a row of the last tick ended, or where the rows
@@ -29,7 +31,10 @@ final class JoinedRow {
     private final PointStore points;
     private final SeamMembers members;
     private final PointStore.Scratch scratch = new PointStore.Scratch();
-    private final NarrowPhase narrowPhase = new NarrowPhase();
+
+    /** Made with the first row: most worlds join none. */
+    private @Nullable NarrowPhase narrowPhase;
+
     private final Manifold manifold = new Manifold();
     private final int[] one = new int[1];
 
@@ -115,6 +120,13 @@ final class JoinedRow {
         return true;
     }
 
+    private NarrowPhase narrowPhase() {
+        if (narrowPhase == null) {
+            narrowPhase = new NarrowPhase();
+        }
+        return narrowPhase;
+    }
+
     private void chooseBase(int leader) {
         base = members.neighbour(leader);
         BodyStore s = colliders.bodies;
@@ -155,7 +167,7 @@ final class JoinedRow {
         double qz = s.orientationZ[members.m];
         double qw = s.orientationW[members.m];
         if (!isSecond) {
-            return narrowPhase.collide(
+            return narrowPhase().collide(
                     colliders.shape[members.m],
                     PLANE,
                     qx,
@@ -174,7 +186,7 @@ final class JoinedRow {
                     manifold);
         }
         long next =
-                narrowPhase.collide(
+                narrowPhase().collide(
                         PLANE,
                         colliders.shape[members.m],
                         px,

@@ -36,7 +36,7 @@ public final class SeamStage implements Stateful {
     private static final int GROUPS_PER_BLOCK = 8;
 
     /** Rows for which there is room from the first group on. */
-    private static final int LEAST = 256;
+    private static final int LEAST = 32;
 
     private final BlockJob findJob = this::findBlock;
     private final BlockJob joinJob = this::joinBlock;

@@ -54,7 +54,7 @@ abstract class ContactCoupling extends PositionCorrection {
     private static final double LEFT = 0.5;
 
     /** Points for which there is room at first: most assemblies never have more. */
-    private static final int ROOM = 64;
+    private static final int ROOM = 16;
 
     private int points;
 

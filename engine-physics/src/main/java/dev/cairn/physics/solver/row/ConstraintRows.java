@@ -100,6 +100,9 @@ public final class ConstraintRows implements EdgePlaces {
     /** Places to a chunk, the unit of work: a multiple of every number of lanes. */
     public static final int CHUNK = 32;
 
+    /** Places for which there is room at first. */
+    private static final int LEAST = 16;
+
     /** Rows to a vector. */
     public final int lanes;
 
@@ -197,8 +200,8 @@ public final class ConstraintRows implements EdgePlaces {
     public void ensurePlaces(int wanted) {
         places = wanted;
         if (wanted * LINK > link.length) {
-            int n = Math.max(wanted, Math.max(64, settleMark.length + (settleMark.length >> 1)));
-            n = (n + CHUNK - 1) / CHUNK * CHUNK;
+            int n = Math.max(wanted, Math.max(LEAST, settleMark.length + (settleMark.length >> 1)));
+            n = (n + group - 1) / group * group;
             if (isSingle) {
                 floats = new float[START + n * FIELDS];
             } else {
