@@ -18,7 +18,7 @@ import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.component.Force;
 import dev.cairn.physics.component.Torque;
 import dev.cairn.physics.component.Velocity;
-import dev.cairn.physics.foresight.BodyForesight;
+import dev.cairn.physics.prediction.BodyPredictor;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.joint.Joint;
 import dev.cairn.physics.joint.JointChange;
@@ -337,7 +337,7 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
         return World.codecs(all.toArray(new Component<?>[0]))
                 .with(ShapeCodecs.all().toArray(new StateCodec<?>[0]))
                 .with(Collider.CODEC, BodyRef.CODEC, ColliderRef.CODEC, PhysicsSettings.CODEC)
-                .with(Filter.CODEC, Joints.codec(), Joints.curveCodec(), BodyForesight.CODEC);
+                .with(Filter.CODEC, Joints.codec(), Joints.curveCodec(), BodyPredictor.CODEC);
     }
 
     /**
@@ -386,7 +386,7 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
                             + physics.settings
                             + "; build the world with the settings of the state");
         }
-        s.reference("foresight", BodyForesight.INSTANCE);
+        s.reference("predictor", BodyPredictor.INSTANCE);
         ecs.state(s);
         physics.state(s);
     }

@@ -15,7 +15,7 @@ import java.io.OutputStream;
  *              once; how many entries lie differently: which, and the number of their lengths
  *   parts      of each state: entries of its own: kinds, names, counts, references, words
  *   references how many; of each: place, number of the object before and after
- *   foreseen   how many rows are packed; which, by steps
+ *   predicted   how many rows are packed; which, by steps
  *   words      both sums, bytes of heads, how many these are packed, these, how many others, these
  * </pre>
  *
@@ -47,9 +47,9 @@ final class DeltaBytes {
             out.writeObjectShort(d.references.before[i]);
             out.writeObjectShort(d.references.after[i]);
         }
-        out.writeShort(d.foreseen.length);
-        for (int i = 0; i < d.foreseen.length; i++) {
-            out.writeShort(d.foreseen[i] - (i == 0 ? 0 : d.foreseen[i - 1]));
+        out.writeShort(d.predicted.length);
+        for (int i = 0; i < d.predicted.length; i++) {
+            out.writeShort(d.predicted[i] - (i == 0 ? 0 : d.predicted[i - 1]));
         }
         words(d.words, out);
     }
@@ -104,11 +104,11 @@ final class DeltaBytes {
             references.before[i] = in.readShortObject();
             references.after[i] = in.readShortObject();
         }
-        int[] foreseen = new int[in.need(1, in.readShort())];
-        for (int i = 0; i < foreseen.length; i++) {
-            foreseen[i] = in.readShort() + (i == 0 ? 0 : foreseen[i - 1]);
-            if (foreseen[i] < 0) {
-                throw new StateException("the delta is damaged: row " + foreseen[i] + " is packed");
+        int[] predicted = new int[in.need(1, in.readShort())];
+        for (int i = 0; i < predicted.length; i++) {
+            predicted[i] = in.readShort() + (i == 0 ? 0 : predicted[i - 1]);
+            if (predicted[i] < 0) {
+                throw new StateException("the delta is damaged: row " + predicted[i] + " is packed");
             }
         }
         DeltaWords words = words(in);
@@ -124,7 +124,7 @@ final class DeltaBytes {
                             + " bytes of words");
         }
         return new StateDelta(
-                before, after, alignment, onlyBefore, onlyAfter, words, references, foreseen, true);
+                before, after, alignment, onlyBefore, onlyAfter, words, references, predicted, true);
     }
 
     private static DeltaWords words(StateInput in) {

@@ -52,7 +52,7 @@ final class DeltaWords {
 
     private int length;
 
-    /** Heads, each with what is foreseen of its word; packed in a delta that is complete. */
+    /** Heads, each with what is predicted of its word; packed in a delta that is complete. */
     byte[] heads = NONE;
 
     /** How many bytes these are when they are not packed. */
@@ -213,10 +213,10 @@ final class DeltaWords {
         if (code == FAR) {
             varint(skip);
         }
-        foreseen((code << 4) | kind);
+        predicted((code << 4) | kind);
     }
 
-    private void foreseen(int octet) {
+    private void predicted(int octet) {
         if (headLength == heads.length) {
             heads = Arrays.copyOf(heads, Math.max(64, 2 * headLength));
         }
@@ -245,9 +245,9 @@ final class DeltaWords {
         room(9);
         int there = bytesOf(kind, mask);
         if (kind == MASK) {
-            foreseen(mask);
+            predicted(mask);
         } else if (kind <= Long.BYTES) {
-            foreseen((int) (x >>> (8 * kind - 8)));
+            predicted((int) (x >>> (8 * kind - 8)));
             there >>= 1;
         }
         for (int k = 0; k < 8; k++) {

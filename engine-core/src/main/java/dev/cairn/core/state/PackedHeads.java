@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * The heads of {@link DeltaWords} in few bits: a binary arithmetic coder (Rissanen and Langdon
  * 1979, Arithmetic coding) whose chances are the shares that were seen. The two halves of a head
- * are foreseen from those of the head before, the byte with it from its kind; each bit from those
+ * are predicted from those of the head before, the byte with it from its kind; each bit from those
  * above it. Integers only, so that the bytes are the same on every machine.
  *
  * <pre>

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 import java.util.Arrays;
 
 /**
- * The numbers of a state by the names of their columns, for a {@link Foresight}. Whoever writes
+ * The numbers of a state by the names of their columns, for a {@link Predictor}. Whoever writes
  * changes a state in place, or a copy of the columns that are written. One thread.
  */
 public final class StateColumns {
@@ -31,10 +31,10 @@ public final class StateColumns {
         return new StateColumns(state, new WorldState());
     }
 
-    /** The one that foresees the state; null if there is none. */
-    static @Nullable Foresight foresight(WorldState state) {
+    /** The one that predicts the state; null if there is none. */
+    static @Nullable Predictor predictor(WorldState state) {
         for (int i = 0; i < state.objectCount; i++) {
-            if (state.objects[i] instanceof Foresight known) {
+            if (state.objects[i] instanceof Predictor known) {
                 return known;
             }
         }
@@ -233,7 +233,7 @@ public final class StateColumns {
      * What somebody knows about a state's numbers, so that a {@link StateDelta} need not tell it:
      * that two columns hold the same, that one is what another was a tick ago, or that a third
      * follows from both. A state that declares one by {@link StateVisitor#reference} is packed
-     * before it is compared: numbers that can be foreseen from others of the same state are
+     * before it is compared: numbers that can be predicted from others of the same state are
      * replaced by how far the guess is off. A wrong guess costs room and nothing else.
      *
      * <pre>
@@ -254,7 +254,7 @@ public final class StateColumns {
      * <p>Without fields that change, so that any thread may ask; the same object in all states of a
      * kind of world.
      */
-    public interface Foresight {
+    public interface Predictor {
         /**
          * Which rows are packed: those of which it is worth it.
          *

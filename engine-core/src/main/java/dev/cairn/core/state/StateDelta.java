@@ -49,8 +49,8 @@ public final class StateDelta {
     final DeltaWords words;
     final References references;
 
-    /** What a {@link StateColumns.Foresight} packs. */
-    final int[] foreseen;
+    /** What a {@link StateColumns.Predictor} packs. */
+    final int[] predicted;
 
     final boolean isRead;
 
@@ -62,7 +62,7 @@ public final class StateDelta {
             @Nullable PackedEntries onlyAfter,
             DeltaWords words,
             References references,
-            int[] foreseen,
+            int[] predicted,
             boolean isRead) {
         this.before = before;
         this.after = after;
@@ -73,7 +73,7 @@ public final class StateDelta {
         this.onlyAfter = onlyAfter;
         this.words = words;
         this.references = references;
-        this.foreseen = foreseen;
+        this.predicted = predicted;
         this.isRead = isRead;
     }
 
@@ -90,7 +90,7 @@ public final class StateDelta {
         Alignment alignment = Alignment.of(before, after);
         StateColumns first = StateColumns.copying(before);
         StateColumns second = StateColumns.copying(after);
-        int[] foreseen = foresee(before, first, after, second);
+        int[] predicted = predict(before, first, after, second);
         DeltaWords words = new DeltaWords();
         References references = new References();
         WorldState wideBefore = new WorldState();
@@ -133,16 +133,16 @@ public final class StateDelta {
                 PackedEntries.of(second, alignment.head(), alignment.after()),
                 words.trimmed(),
                 references,
-                foreseen,
+                predicted,
                 before.isRead || after.isRead);
     }
 
-    /** Packs both, if they are foreseen by the same; what was packed. */
+    /** Packs both, if they are predicted by the same; what was packed. */
     @SuppressWarnings("ReferenceEquality") // there is one of a kind of world
-    private static int[] foresee(
+    private static int[] predict(
             WorldState before, StateColumns first, WorldState after, StateColumns second) {
-        StateColumns.Foresight known = StateColumns.foresight(before);
-        if (known == null || known != StateColumns.foresight(after)) {
+        StateColumns.Predictor known = StateColumns.predictor(before);
+        if (known == null || known != StateColumns.predictor(after)) {
             return new int[0];
         }
         int[] rows = known.rows(first, second);
@@ -185,22 +185,22 @@ public final class StateDelta {
                             + "; apply deltas in the order of their ticks, and revert them in the"
                             + " opposite order");
         }
-        StateColumns.Foresight known = foreseen.length == 0 ? null : StateColumns.foresight(state);
-        if (foreseen.length > 0 && known == null) {
+        StateColumns.Predictor known = predicted.length == 0 ? null : StateColumns.predictor(state);
+        if (predicted.length > 0 && known == null) {
             throw new StateException(
-                    "the state is not the one that the delta starts from: nobody foresees its"
+                    "the state is not the one that the delta starts from: nobody predicts its"
                             + " numbers, and the delta was made of states of which somebody does");
         }
         if (known == null) {
             packed(state, forward, sum);
         } else {
             boolean isFirst = forward;
-            known.pack(StateColumns.inPlace(state), foreseen, isFirst);
+            known.pack(StateColumns.inPlace(state), predicted, isFirst);
             try {
                 packed(state, forward, sum);
                 isFirst = !forward;
             } finally {
-                known.unpack(StateColumns.inPlace(state), foreseen, isFirst);
+                known.unpack(StateColumns.inPlace(state), predicted, isFirst);
             }
         }
         state.isRead |= isRead;
@@ -285,7 +285,7 @@ public final class StateDelta {
      * @return true if nothing changes
      */
     public boolean isEmpty() {
-        return foreseen.length == 0
+        return predicted.length == 0
                 && words.headLength == 0
                 && references.count == 0
                 && alignment().isInPlace();
@@ -301,7 +301,7 @@ public final class StateDelta {
                 + words.size()
                 + layout.length
                 + 20L * references.count
-                + 4L * foreseen.length
+                + 4L * predicted.length
                 + bytesOf(onlyBefore)
                 + bytesOf(onlyAfter);
     }

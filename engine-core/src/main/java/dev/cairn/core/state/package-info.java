@@ -21,7 +21,7 @@
  * the other and back, and is as large as what has changed) and written; numbers have their place
  * and their least significant byte first, on every machine. What follows from other numbers of the
  * same state a delta need not tell, if somebody knows it ({@link
- * dev.cairn.core.state.StateColumns.Foresight}).
+ * dev.cairn.core.state.StateColumns.Predictor}).
  *
  * <p>Objects are written by a {@link dev.cairn.core.state.StateCodec}. That of a record follows
  * from its components; their names and types are written with it, once, so that a program whose

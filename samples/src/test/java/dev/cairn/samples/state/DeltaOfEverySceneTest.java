@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import java.util.List;
 
 /**
- * What deltas foresee is not always so: of hulls, meshes, compounds, joints, belts and kinematic
+ * What deltas predict is not always so: of hulls, meshes, compounds, joints, belts and kinematic
  * bodies each bit comes back all the same, from tick to tick and over many.
  */
 class DeltaOfEverySceneTest {

@@ -1,4 +1,4 @@
-package dev.cairn.physics.foresight;
+package dev.cairn.physics.prediction;
 
 import static dev.cairn.physics.internal.ContactColumns.ANCHORS;
 import static dev.cairn.physics.internal.ContactColumns.HEAD;
@@ -10,7 +10,7 @@ import dev.cairn.physics.internal.ContactColumns;
 import dev.cairn.physics.shape.Shape;
 
 /**
- * Foresees normal, anchors and separations of a row. With a and b the anchors of point p, s its
+ * Predicts normal, anchors and separations of a row. With a and b the anchors of point p, s its
  * separation and n the normal: of a face of a polyhedron and what lies on it, {@link FacePoints}
  * makes all from the poses at the start of the tick. Otherwise a is kept, and as both anchors are
  * one point midway between the surfaces, of which one is a plane,
@@ -23,7 +23,7 @@ import dev.cairn.physics.shape.Shape;
  * but for rounding. What is kept is the difference of the bits of both sides. Each number is
  * guessed from ones that were found before it, so that the same walk goes both ways.
  */
-final class ContactForesight {
+final class ContactPredictor {
     private final StateColumns state;
     private final BodyColumns bodies;
     private final RowColumns rows;
@@ -36,7 +36,7 @@ final class ContactForesight {
     /** From A's centre to B's at the start of the tick. */
     private final double[] apart = new double[3];
 
-    ContactForesight(StateColumns state, BodyColumns bodies, RowColumns rows, boolean packs) {
+    ContactPredictor(StateColumns state, BodyColumns bodies, RowColumns rows, boolean packs) {
         this.state = state;
         this.bodies = bodies;
         this.rows = rows;

@@ -1,4 +1,4 @@
-package dev.cairn.physics.foresight;
+package dev.cairn.physics.prediction;
 
 import dev.cairn.core.state.StateColumns;
 
@@ -16,14 +16,14 @@ final class PredictedValues {
      * @return the number
      */
     static double next(StateColumns state, int column, int i, double guess, boolean packs) {
-        long foreseen = Double.doubleToRawLongBits(guess);
+        long predicted = Double.doubleToRawLongBits(guess);
         long bits = state.bits(column, i);
         if (packs) {
-            long d = bits - foreseen;
+            long d = bits - predicted;
             state.set(column, i, (d << 1) ^ (d >> 63));
             return Double.longBitsToDouble(bits);
         }
-        long number = foreseen + ((bits >>> 1) ^ -(bits & 1));
+        long number = predicted + ((bits >>> 1) ^ -(bits & 1));
         state.set(column, i, number);
         return Double.longBitsToDouble(number);
     }

@@ -1,4 +1,4 @@
-package dev.cairn.physics.foresight;
+package dev.cairn.physics.prediction;
 
 import dev.cairn.core.state.StateColumns;
 import dev.cairn.physics.internal.BodyStore;
@@ -148,9 +148,9 @@ final class BodyColumns {
                 box,
                 0);
         for (int k = 0; k < BOX; k++) {
-            double foreseen = box[k] + state.number(pose[k % 3], slot);
+            double predicted = box[k] + state.number(pose[k % 3], slot);
             int i = BOX * slot + k;
-            state.set(tight, i, state.bits(tight, i) ^ Double.doubleToRawLongBits(foreseen));
+            state.set(tight, i, state.bits(tight, i) ^ Double.doubleToRawLongBits(predicted));
         }
     }
 

@@ -17,6 +17,6 @@
  * with + - * / and sqrt only, so that each machine makes the same.
  */
 @NullMarked
-package dev.cairn.physics.foresight;
+package dev.cairn.physics.prediction;
 
 import org.jspecify.annotations.NullMarked;

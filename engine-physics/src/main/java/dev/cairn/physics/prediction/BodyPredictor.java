@@ -1,4 +1,4 @@
-package dev.cairn.physics.foresight;
+package dev.cairn.physics.prediction;
 
 import dev.cairn.core.state.StateCodec;
 import dev.cairn.core.state.StateColumns;
@@ -6,26 +6,26 @@ import dev.cairn.core.state.StateColumns;
 import java.util.Arrays;
 
 /**
- * Foresees the numbers of bodies that move, and with {@link ContactForesight} those of their
+ * Predicts the numbers of bodies that move, and with {@link ContactPredictor} those of their
  * contacts. A row is twice a body's slot, and 1 more where its place of rest is another one: that
  * is the body's pose then.
  *
  * <p>Immutable; any thread.
  */
-public final class BodyForesight implements StateColumns.Foresight {
+public final class BodyPredictor implements StateColumns.Predictor {
     /** The only one. */
-    public static final BodyForesight INSTANCE = new BodyForesight();
+    public static final BodyPredictor INSTANCE = new BodyPredictor();
 
     /** Writes that it is it. */
-    public static final StateCodec<BodyForesight> CODEC =
+    public static final StateCodec<BodyPredictor> CODEC =
             StateCodec.of(
-                    BodyForesight.class, "cairn.foresight", (known, out) -> {}, in -> INSTANCE);
+                    BodyPredictor.class, "cairn.predictor", (known, out) -> {}, in -> INSTANCE);
 
-    private BodyForesight() {}
+    private BodyPredictor() {}
 
     @Override
     public String toString() {
-        return "foresight";
+        return "predictor";
     }
 
     @Override
@@ -118,13 +118,13 @@ public final class BodyForesight implements StateColumns.Foresight {
     private static void contacts(StateColumns state, BodyColumns b, int[] rows, boolean packs) {
         RowColumns c = new RowColumns(state);
         boolean[] moves = b.marks(rows);
-        ContactForesight foresight = new ContactForesight(state, b, c, packs);
+        ContactPredictor predictor = new ContactPredictor(state, b, c, packs);
         for (int row = 0; row < c.rows; row++) {
             int x = c.bodyA(row);
             int y = c.bodyB(row);
             if ((x >= 0 && x < moves.length && moves[x])
                     || (y >= 0 && y < moves.length && moves[y])) {
-                foresight.row(row);
+                predictor.row(row);
             }
         }
     }

@@ -1,4 +1,4 @@
-package dev.cairn.physics.foresight;
+package dev.cairn.physics.prediction;
 
 import static dev.cairn.physics.internal.ContactColumns.ANCHORS;
 import static dev.cairn.physics.internal.ContactColumns.HEAD;
