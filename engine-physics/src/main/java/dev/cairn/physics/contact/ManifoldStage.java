@@ -43,7 +43,7 @@ public final class ManifoldStage {
     private final BlockJob job = this::block;
     private final PairKinds kinds;
     private final PointStore points;
-    private final Recycler recycler;
+    private final PolyhedronRecycler recycler;
     private final SurfaceStage surfaces;
     private Scratch[] scratch = {};
 
@@ -83,7 +83,7 @@ public final class ManifoldStage {
         this.colliders = colliders;
         kinds = new PairKinds(colliders, bounds);
         points = new PointStore(colliders);
-        recycler = new Recycler(colliders);
+        recycler = new PolyhedronRecycler(colliders);
         this.bounds = bounds;
         surfaces = new SurfaceStage(colliders, bounds, points, groups);
     }
@@ -298,7 +298,7 @@ public final class ManifoldStage {
         int a = c.colliderA[row];
         int b = c.colliderB[row];
         double margin = margin(a, b);
-        boolean flat = Recycler.fits(colliders.shape[a]) && Recycler.fits(colliders.shape[b]);
+        boolean flat = PolyhedronRecycler.fits(colliders.shape[a]) && PolyhedronRecycler.fits(colliders.shape[b]);
         if (flat && recycler.renew(row, margin)) {
             return;
         }

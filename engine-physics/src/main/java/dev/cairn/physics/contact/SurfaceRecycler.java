@@ -10,7 +10,7 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
  * Renews the contacts of a convex shape on a surface of triangles that has hardly moved since they
- * were found, as {@link Recycler} does for two solids: the pair is kept as a whole, with the pose
+ * were found, as {@link PolyhedronRecycler} does for two solids: the pair is kept as a whole, with the pose
  * of the shape seen from the surface in its first row.
  *
  * <p>Of each row the normal m is kept, in the surface's axes, and of each point its place p on the
@@ -29,7 +29,7 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
  * </pre>
  *
  * <p>so a ball that rolls stays above its contact. The bound of the move and of the error are those
- * of {@link Recycler}. One worker's.
+ * of {@link PolyhedronRecycler}. One worker's.
  */
 final class SurfaceRecycler {
     /** Numbers of a row in {@link ContactStore#ground}: normal, heights, then which are round. */
@@ -79,9 +79,9 @@ final class SurfaceRecycler {
             return false;
         }
         int at = ContactStore.keptAt(head);
-        if (!(margin <= c.kept[at + Recycler.GAP] + slack)
+        if (!(margin <= c.kept[at + PolyhedronRecycler.GAP] + slack)
                 || !(KeptPose.moved(c.kept, at, s, surface, shape)
-                        <= c.kept[at + Recycler.LIMIT])) {
+                        <= c.kept[at + PolyhedronRecycler.LIMIT])) {
             return false;
         }
         for (int row = head; row >= 0; row = groups.next(row)) {
@@ -109,7 +109,7 @@ final class SurfaceRecycler {
         double farthest = -Double.MAX_VALUE;
         for (int p = 0; p < c.pointCount[row]; p++) {
             int point = ContactStore.POINTS * row + p;
-            int kept = ContactStore.keptAt(row) + Recycler.POINT + 3 * p;
+            int kept = ContactStore.keptAt(row) + PolyhedronRecycler.POINT + 3 * p;
             if (((int) g[at + ROUND] >> p & 1) != 0) {
                 round(shape, c.kept[kept], c.kept[kept + 1], nx, ny, nz);
             } else {
@@ -197,14 +197,14 @@ final class SurfaceRecycler {
      * @return whether it is
      */
     boolean keep(int head, int surface, int shape, double margin) {
-        double allowed = Recycler.SHARE * colliders.innerRadius[shape];
+        double allowed = PolyhedronRecycler.SHARE * colliders.innerRadius[shape];
         c.keeps[head] = stays(head, allowed);
         if (c.keeps[head]) {
             int at = ContactStore.keptAt(head);
             double radius = colliders.outerRadius[shape];
-            KeptPose.keep(c.kept, at + Recycler.POSE, s, surface, shape, radius);
-            c.kept[at + Recycler.LIMIT] = allowed * allowed;
-            c.kept[at + Recycler.GAP] = margin;
+            KeptPose.keep(c.kept, at + PolyhedronRecycler.POSE, s, surface, shape, radius);
+            c.kept[at + PolyhedronRecycler.LIMIT] = allowed * allowed;
+            c.kept[at + PolyhedronRecycler.GAP] = margin;
         }
         return c.keeps[head];
     }
@@ -217,8 +217,8 @@ final class SurfaceRecycler {
     void keepRow(int row, int surface, int shape, Manifold m) {
         boolean flip = c.colliderA[row] == shape;
         double sign = flip ? -1 : 1;
-        int kept = ContactStore.keptAt(row) + Recycler.POINT;
-        Recycler.keepPoints(c.kept, kept, s, surface, shape, m, flip);
+        int kept = ContactStore.keptAt(row) + PolyhedronRecycler.POINT;
+        PolyhedronRecycler.keepPoints(c.kept, kept, s, surface, shape, m, flip);
         int at = ContactStore.GROUND * row;
         double[] g = c.ground;
         double nx = sign * m.normalX;

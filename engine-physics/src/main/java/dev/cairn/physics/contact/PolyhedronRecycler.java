@@ -26,7 +26,7 @@ import dev.cairn.physics.shape.polyhedron.Polyhedron;
  * from the poses at which the pair was collided. The idea is Catto's and Jolt's, see {@code
  * solver-study} section 5.1; the bound is this engine's.
  */
-final class Recycler {
+final class PolyhedronRecycler {
     /** Of the smaller inner radius: how far a pair may move before it is collided again. */
     static final double SHARE = 0x1p-12;
 
@@ -54,7 +54,7 @@ final class Recycler {
     private double stepSquared;
 
     /** Of some colliders. */
-    Recycler(ColliderStore colliders) {
+    PolyhedronRecycler(ColliderStore colliders) {
         this.colliders = colliders;
         bodies = colliders.bodies;
         s = colliders.poses;
