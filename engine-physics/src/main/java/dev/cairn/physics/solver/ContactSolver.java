@@ -71,7 +71,7 @@ public final class ContactSolver {
     private final Batches batches = new Batches();
     private final Collector collector;
     private final Assemblies assemblies;
-    private final Supports supports;
+    private final SupportAnalysis supports;
 
     private final BlockJob begin = this::begin;
     private final BlockJob clearRows = this::clearRows;
@@ -123,7 +123,7 @@ public final class ContactSolver {
                         kinds);
         assemblies = new Assemblies(list);
         collector = new Collector(colouring, batches, assemblies, guides);
-        supports = new Supports(list, batches, collector);
+        supports = new SupportAnalysis(list, batches, collector);
         for (int k = 0; k < 2; k++) {
             passes[k] =
                     new Passes(
@@ -418,7 +418,7 @@ public final class ContactSolver {
             tick.contacts.beginUneven();
         }
         sub.fillScale = tick.impulseScale;
-        sub.still = Supports.STILL * tick.weight() * stepSeconds;
+        sub.still = SupportAnalysis.STILL * tick.weight() * stepSeconds;
         sub.closing = CLOSING * tick.weight() * stepSeconds;
         sub.touch = TOUCH * tick.weight() * sub.seconds * sub.seconds;
     }

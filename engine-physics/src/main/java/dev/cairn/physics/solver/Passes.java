@@ -70,7 +70,7 @@ final class Passes {
             ConstraintRows rows,
             BouncingContacts bouncing,
             DrivenSides sides,
-            Supports supports,
+            SupportAnalysis supports,
             Assemblies assemblies) {
         this.assemblies = assemblies;
         this.bouncing = bouncing;

@@ -10,7 +10,7 @@
  * <pre>
  *   collect ─ contacts with points get a batch, a colour and a place; bodies without any fly at once
  *   load    ─ bodies at rest under a load are solved with that load's inertia, see
- *             {@code Supports}
+ *             {@code SupportAnalysis}
  *   prepare ─ weighted arms, effective masses, friction block; the bodies' first warm start
  *   start   ─ once, for what is put up at rest: impulses that hold it, before anything moves
  *   sub-step, four times:

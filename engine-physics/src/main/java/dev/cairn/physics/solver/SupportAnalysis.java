@@ -23,7 +23,7 @@ import dev.cairn.physics.tuning.Tuning;
  *
  * <p>Simulation thread; allocates only when a store has grown.
  */
-final class Supports {
+final class SupportAnalysis {
     /**
      * A point rests while it moves slower than gravity makes a body fall in this share of a tick.
      */
@@ -47,7 +47,7 @@ final class Supports {
     private final Batches batches;
     private final Collector collector;
 
-    Supports(EdgeList list, Batches batches, Collector collector) {
+    SupportAnalysis(EdgeList list, Batches batches, Collector collector) {
         this.list = list;
         this.batches = batches;
         this.collector = collector;
