@@ -12,12 +12,12 @@ import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
- * Renews the points of pairs of boxes that have hardly moved since they were collided, without
- * colliding them again. Let the reference be the box whose face carries the contact (or separates
- * the pair), the incident box the other one. Seen from the reference, the incident box has moved by
- * at most what {@link KeptPose} tells. Up to {@link #SHARE} of the smaller inner radius the same
- * points of the incident box are the contact still: their separations from the face, and the
- * normal, are those of the present poses. A pair that is apart stays so while it has moved by less
+ * Renews the points of pairs of boxes and hulls that have hardly moved since they were collided,
+ * without colliding them again. Let the reference be the solid whose face carries the contact (or
+ * separates the pair), the incident solid the other one. Seen from the reference, the incident
+ * solid has moved by at most what {@link KeptPose} tells. Up to {@link #SHARE} of the smaller inner
+ * radius the same points of the incident solid are the contact still: their separations from the
+ * face, and the normal, are those of the present poses. A pair that is apart stays so while it has moved by less
  * than its distance exceeds the margin.
  *
  * <p>With d the true signed distance when the pair was collided, d' the one now, s and s' the least
