@@ -120,7 +120,7 @@ public final class WakeStage {
                 contacts.beginLeaning();
                 contacts.lean[row] =
                         Math.max(Double.MIN_NORMAL, contacts.normalImpulse(row) / seconds);
-                sleepers.movers().leanOn(mover);
+                sleepers.awakeNeighbours().leanOn(mover);
             }
         }
     }
@@ -165,7 +165,7 @@ public final class WakeStage {
         double change = before;
         if (contacts.isSolved(row)) {
             double force = contacts.normalImpulse(row) / secondsBefore;
-            double moved = sleepers.movers().moved(mover) / bodies.innerRadius[sleeper];
+            double moved = sleepers.awakeNeighbours().moved(mover) / bodies.innerRadius[sleeper];
             change = Math.max(0, force - before) + Math.max(force, before) * moved;
         }
         return change <= LEAN_CHANGE * Math.max(weight, before);
@@ -181,7 +181,7 @@ public final class WakeStage {
         boolean small =
                 bodies.surfaceSpeed(mover)
                                 <= LEAN_CHANGE * weight * seconds * bodies.inverseMass[mover]
-                        && sleepers.movers().moved(mover) >= 0;
+                        && sleepers.awakeNeighbours().moved(mover) >= 0;
         if (small) {
             contacts.beginLeaning();
             contacts.lean[row] = Double.MIN_NORMAL;
@@ -194,7 +194,7 @@ public final class WakeStage {
         int b = contacts.bodyB[row];
         if (leans(row)) {
             contacts.lean[row] = 0;
-            sleepers.movers().forget(bodies.kind[a] == BodyStore.DYNAMIC ? a : b);
+            sleepers.awakeNeighbours().forget(bodies.kind[a] == BodyStore.DYNAMIC ? a : b);
         }
         sleepers.wake(a);
         sleepers.wake(b);

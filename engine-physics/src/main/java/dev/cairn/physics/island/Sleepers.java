@@ -28,7 +28,7 @@ public final class Sleepers {
     private final boolean enabled;
     private final RestDetector detector;
     private final RestingIslands resting;
-    private final Movers movers;
+    private final AwakeNeighbours neighbours;
     private final SleepChanges told;
 
     /** Name of the island that a body sleeps in, and the next body of it in a ring. */
@@ -68,7 +68,7 @@ public final class Sleepers {
         this.enabled = enabled;
         detector = new RestDetector(sleepSeconds);
         resting = new RestingIslands(detector, bodies, edges);
-        movers = new Movers(bodies);
+        neighbours = new AwakeNeighbours(bodies);
         told = new SleepChanges(bodies);
     }
 
@@ -85,7 +85,7 @@ public final class Sleepers {
         int old = island.length;
         detector.ensureSlots(n);
         resting.ensureSlots(n);
-        movers.ensureSlots(n);
+        neighbours.ensureSlots(n);
         island = Arrays.copyOf(island, n);
         Arrays.fill(island, old, n, NONE);
         next = Arrays.copyOf(next, n);
@@ -113,7 +113,7 @@ public final class Sleepers {
         fresh = s.array("fresh", fresh, freshCount);
         if (enabled) {
             detector.state(s, slots);
-            movers.state(s, slots);
+            neighbours.state(s, slots);
             s.section("islands", this);
             island = s.array("island", island, slots);
             if (s.isRestoring()) {
@@ -137,7 +137,7 @@ public final class Sleepers {
         if (enabled) {
             detector.reset(slot);
             detector.maySleep[slot] = maySleep;
-            movers.forget(slot);
+            neighbours.forget(slot);
         }
     }
 
@@ -192,8 +192,8 @@ public final class Sleepers {
      *
      * @return where they were
      */
-    public Movers movers() {
-        return movers;
+    public AwakeNeighbours awakeNeighbours() {
+        return neighbours;
     }
 
     /**
@@ -464,7 +464,7 @@ public final class Sleepers {
     public long bits(int slot, int at) {
         if (bodies.kind[slot] == BodyStore.DYNAMIC) {
             if (at > 18) {
-                return movers.bits(slot, at - 19);
+                return neighbours.bits(slot, at - 19);
             }
             return at == 0 ? NONE : detector.bits(slot, at - 1);
         }

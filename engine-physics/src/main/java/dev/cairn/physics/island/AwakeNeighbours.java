@@ -11,13 +11,13 @@ import java.util.Arrays;
  *
  * <p>Simulation thread; allocates only when slots are added.
  */
-public final class Movers {
+public final class AwakeNeighbours {
     private final BodyStore bodies;
 
     /** Position, m; not a number where no mover leans. */
     private double[] leanAt = {};
 
-    Movers(BodyStore bodies) {
+    AwakeNeighbours(BodyStore bodies) {
         this.bodies = bodies;
     }
 
@@ -28,7 +28,7 @@ public final class Movers {
     }
 
     void state(StateVisitor s, int slots) {
-        s.section("movers", this);
+        s.section("awakeNeighbours", this);
         leanAt = s.array("leanAt", leanAt, 3 * slots);
         if (s.isRestoring()) {
             Arrays.fill(leanAt, 3 * slots, leanAt.length, Double.NaN);
