@@ -16,7 +16,7 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Rotations;
-import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.island.SleepingBodies;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.state.BodyRegistry;
 import dev.cairn.physics.state.Pushes;
@@ -48,7 +48,7 @@ final class BodyTable implements Stateful {
     final ColliderStore colliders;
     final BroadPhase broadPhase;
     final BoundsStage bounds;
-    final Sleepers sleepers;
+    final SleepingBodies sleepers;
     final ContactStore contacts;
     final BodyAccess access;
     final Pushes pushes;

@@ -27,7 +27,7 @@ import dev.cairn.physics.contact.seam.WholeStage;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.JointStore;
-import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.island.SleepingBodies;
 import dev.cairn.physics.joint.Joints;
 import dev.cairn.physics.profile.StepStage;
 import dev.cairn.physics.solver.ContactSolver;
@@ -312,7 +312,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
 
     /** Islands that have come to rest sleep from the next tick on. */
     private void fallAsleep(Tick tick) {
-        Sleepers sleepers = table.sleepers;
+        SleepingBodies sleepers = table.sleepers;
         long changes = sleepers.changes();
         sleepers.look(
                 table.registry.dynamic,

@@ -9,7 +9,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.island.SleepingBodies;
 
 /**
  * Which pairs have a row. Rows whose fat boxes parted leave, and the last rows take their places,
@@ -34,7 +34,7 @@ public final class ContactRows {
 
     private final BodyStore bodies;
     private final ColliderStore colliders;
-    private final Sleepers sleepers;
+    private final SleepingBodies sleepers;
     final PairGroups groups = new PairGroups();
     private int candidates;
     private boolean every;
@@ -45,7 +45,7 @@ public final class ContactRows {
      * @param colliders frictions and restitutions of new rows
      * @param sleepers wakes bodies that lose a contact
      */
-    public ContactRows(ColliderStore colliders, Sleepers sleepers) {
+    public ContactRows(ColliderStore colliders, SleepingBodies sleepers) {
         this.colliders = colliders;
         bodies = colliders.bodies;
         this.sleepers = sleepers;

@@ -5,7 +5,7 @@ import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.island.SleepingBodies;
 
 import java.util.Arrays;
 
@@ -22,7 +22,7 @@ public final class WakeStage {
      */
     private static final double LEAN_CHANGE = 0.5;
 
-    private final Sleepers sleepers;
+    private final SleepingBodies sleepers;
     private final BodyStore bodies;
     private final ContactStore contacts;
     private double gravity;
@@ -33,7 +33,7 @@ public final class WakeStage {
     private int[] merged = {};
 
     /** A stage. */
-    public WakeStage(Sleepers sleepers, BodyStore bodies, ContactStore contacts) {
+    public WakeStage(SleepingBodies sleepers, BodyStore bodies, ContactStore contacts) {
         this.sleepers = sleepers;
         this.bodies = bodies;
         this.contacts = contacts;
@@ -103,7 +103,7 @@ public final class WakeStage {
 
     /**
      * Remembers the forces that moving bodies put on bodies that fell asleep beside them; after
-     * {@link Sleepers#look}, if any fell asleep.
+     * {@link SleepingBodies#look}, if any fell asleep.
      */
     public void lean() {
         byte[] kind = bodies.kind;

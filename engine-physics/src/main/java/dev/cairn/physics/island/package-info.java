@@ -6,8 +6,8 @@
  *
  * <pre>
  *   solve ─▶ RestDetector: is each at rest?     ─▶ Islands: what touches what ─▶ all of an island at rest:
- *            speed, and what is left to travel     union-find, every 4th tick     Sleepers.sleep
- *   points ─▶ WakeStage: a new point between an awake body and one asleep ─▶ Sleepers.wake, whole island,
+ *            speed, and what is left to travel     union-find, every 4th tick     SleepingBodies.sleep
+ *   points ─▶ WakeStage: a new point between an awake body and one asleep ─▶ SleepingBodies.wake, whole island,
  *             its rows collide in the same tick, before the solve; again until nothing more wakes
  * </pre>
  *

@@ -12,7 +12,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
-import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.island.SleepingBodies;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.tuning.Tuning;
 
@@ -34,7 +34,7 @@ public final class BodyRegistry implements Stateful {
     public final PairFilter pairFilter = new PairFilter(colliders);
     public final BroadPhase broadPhase = new BroadPhase(pairFilter);
     public final BoundsStage bounds;
-    public final Sleepers sleepers;
+    public final SleepingBodies sleepers;
     private final EdgeSource[] edges;
 
     /** From the origin of the shape's frame to the centre of mass, in that frame, m. */
@@ -89,7 +89,7 @@ public final class BodyRegistry implements Stateful {
     public BodyRegistry(Tuning tuning, boolean sleeping, double sleepSeconds, EdgeSource[] edges) {
         bounds = new BoundsStage(colliders, tuning);
         this.edges = edges;
-        sleepers = new Sleepers(sleeping, sleepSeconds, bodies, edges);
+        sleepers = new SleepingBodies(sleeping, sleepSeconds, bodies, edges);
     }
 
     /** The ECS that holds the entities. */

@@ -3,7 +3,7 @@ package dev.cairn.physics.state;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.JointStore;
-import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.island.SleepingBodies;
 
 /** A hash of the state's bits, in slot and row order. */
 public final class Digest {
@@ -17,7 +17,7 @@ public final class Digest {
      * @param joints adds nothing if there are none
      * @return 64 bits
      */
-    public static long of(BodyStore b, ContactStore c, Sleepers sleepers, JointStore joints) {
+    public static long of(BodyStore b, ContactStore c, SleepingBodies sleepers, JointStore joints) {
         long h = 0x6361_6972_6e00_0001L;
         for (int s = 0; s < b.slotCount; s++) {
             h = mix(h, b.kind[s]);
@@ -47,7 +47,7 @@ public final class Digest {
             h = mix(h, b.pressed[s]);
             h = mix(h, b.pressing[s]);
             if (sleepers.enabled()) {
-                for (int i = 0; i < Sleepers.WORDS; i++) {
+                for (int i = 0; i < SleepingBodies.WORDS; i++) {
                     h = mix(h, sleepers.bits(s, i));
                 }
             }

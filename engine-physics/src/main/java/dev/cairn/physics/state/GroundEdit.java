@@ -3,7 +3,7 @@ package dev.cairn.physics.state;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.island.SleepingBodies;
 import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
@@ -81,7 +81,7 @@ public final class GroundEdit {
     }
 
     /** Wakes the bodies that sleep where the ground differs. */
-    public void wake(Sleepers sleepers) {
+    public void wake(SleepingBodies sleepers) {
         BodyStore bodies = colliders.bodies;
         for (int s = 0; sleepers.asleepCount() > 0 && s < bodies.slotCount; s++) {
             for (int c = bodies.collider[s];

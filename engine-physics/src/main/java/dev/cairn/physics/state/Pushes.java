@@ -3,7 +3,7 @@ package dev.cairn.physics.state;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
-import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.island.SleepingBodies;
 
 /**
  * Forces, torques and impulses that users give bodies, by slot; the slot is alive. Forces and
@@ -13,7 +13,7 @@ import dev.cairn.physics.island.Sleepers;
  */
 public final class Pushes {
     private final BodyStore bodies;
-    private final Sleepers sleepers;
+    private final SleepingBodies sleepers;
     private final double[] rotated = new double[3];
 
     /** On the bodies of a registry. */

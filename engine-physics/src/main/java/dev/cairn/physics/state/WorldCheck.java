@@ -6,7 +6,7 @@ import dev.cairn.physics.broadphase.PairSet;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.island.SleepingBodies;
 
 import java.util.Arrays;
 import java.util.function.IntFunction;
@@ -32,7 +32,7 @@ public final class WorldCheck {
     private final ColliderStore colliders;
     private final ContactStore contacts;
     private final BroadPhase broadPhase;
-    private final Sleepers sleepers;
+    private final SleepingBodies sleepers;
     private final IntFunction<String> name;
     private final IntPredicate waits;
 
@@ -46,7 +46,7 @@ public final class WorldCheck {
             ColliderStore colliders,
             ContactStore contacts,
             BroadPhase broadPhase,
-            Sleepers sleepers,
+            SleepingBodies sleepers,
             IntFunction<String> name,
             IntPredicate waits) {
         this.bodies = bodies;

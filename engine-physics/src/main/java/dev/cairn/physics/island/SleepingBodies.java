@@ -12,7 +12,7 @@ import java.util.Arrays;
  *
  * <p>Simulation thread; allocates only when slots are added.
  */
-public final class Sleepers {
+public final class SleepingBodies {
     /**
      * Islands are looked for in every so many ticks: sleep may wait, and union-find is not free.
      */
@@ -62,7 +62,7 @@ public final class Sleepers {
      * @param bodies whose kinds change
      * @param edges the links: contacts, and other kinds of constraints
      */
-    public Sleepers(boolean enabled, double sleepSeconds, BodyStore bodies, EdgeSource... edges) {
+    public SleepingBodies(boolean enabled, double sleepSeconds, BodyStore bodies, EdgeSource... edges) {
         this.bodies = bodies;
         this.edges = edges;
         this.enabled = enabled;
