@@ -4,7 +4,7 @@ import dev.cairn.core.state.StateCodec;
 import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.body.Lock;
-import dev.cairn.physics.body.Pushed;
+import dev.cairn.physics.body.BodyForces;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.shape.Shape;
@@ -27,7 +27,7 @@ import java.util.List;
  * add up and act over the whole next step, then are cleared; impulses act at once. On fixed bodies
  * forces and impulses have no effect.
  */
-public final class BodyRef extends BodyState implements Pushed {
+public final class BodyRef extends BodyState implements BodyForces {
     /** In bytes a reference is a name and a place; a world makes its own of it. */
     static final StateCodec<BodyRef> CODEC =
             StateCodec.of(
@@ -51,32 +51,32 @@ public final class BodyRef extends BodyState implements Pushed {
 
     @Override
     public void applyForce(double fx, double fy, double fz) {
-        table.pushes.applyForce(pushed("applyForce"), fx, fy, fz);
+        table.forces.applyForce(pushed("applyForce"), fx, fy, fz);
     }
 
     @Override
     public void applyForceAt(double fx, double fy, double fz, double px, double py, double pz) {
-        table.pushes.applyForceAt(pushed("applyForceAt"), fx, fy, fz, px, py, pz);
+        table.forces.applyForceAt(pushed("applyForceAt"), fx, fy, fz, px, py, pz);
     }
 
     @Override
     public void applyTorque(double tx, double ty, double tz) {
-        table.pushes.applyTorque(pushed("applyTorque"), tx, ty, tz);
+        table.forces.applyTorque(pushed("applyTorque"), tx, ty, tz);
     }
 
     @Override
     public void applyImpulse(double jx, double jy, double jz) {
-        table.pushes.applyImpulse(pushed("applyImpulse"), jx, jy, jz);
+        table.forces.applyImpulse(pushed("applyImpulse"), jx, jy, jz);
     }
 
     @Override
     public void applyImpulseAt(double jx, double jy, double jz, double px, double py, double pz) {
-        table.pushes.applyImpulseAt(pushed("applyImpulseAt"), jx, jy, jz, px, py, pz);
+        table.forces.applyImpulseAt(pushed("applyImpulseAt"), jx, jy, jz, px, py, pz);
     }
 
     @Override
     public void applyAngularImpulse(double lx, double ly, double lz) {
-        table.pushes.applyAngularImpulse(pushed("applyAngularImpulse"), lx, ly, lz);
+        table.forces.applyAngularImpulse(pushed("applyAngularImpulse"), lx, ly, lz);
     }
 
     private int pushed(String call) {

@@ -19,7 +19,7 @@ import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.SleepingBodies;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.state.BodyRegistry;
-import dev.cairn.physics.state.Pushes;
+import dev.cairn.physics.state.AppliedForces;
 import dev.cairn.physics.state.RigidBody;
 import dev.cairn.physics.state.WorldCheck;
 
@@ -51,7 +51,7 @@ final class BodyTable implements Stateful {
     final SleepingBodies sleepers;
     final ContactStore contacts;
     final BodyAccess access;
-    final Pushes pushes;
+    final AppliedForces forces;
     final BodyChanges changes;
     final ColliderTable collision;
 
@@ -88,7 +88,7 @@ final class BodyTable implements Stateful {
         sleepers = registry.sleepers;
         this.contacts = contacts;
         access = new BodyAccess(this);
-        pushes = new Pushes(registry);
+        forces = new AppliedForces(registry);
         collision = new ColliderTable(this);
         changes = new BodyChanges(this);
     }

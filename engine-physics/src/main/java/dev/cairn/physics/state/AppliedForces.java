@@ -11,13 +11,13 @@ import dev.cairn.physics.island.SleepingBodies;
  * does not move takes none: a body that the world has stopped. Simulation thread, between steps;
  * makes no garbage.
  */
-public final class Pushes {
+public final class AppliedForces {
     private final BodyStore bodies;
     private final SleepingBodies sleepers;
     private final double[] rotated = new double[3];
 
     /** On the bodies of a registry. */
-    public Pushes(BodyRegistry registry) {
+    public AppliedForces(BodyRegistry registry) {
         bodies = registry.bodies;
         sleepers = registry.sleepers;
     }

@@ -12,9 +12,9 @@ import org.joml.Vector3dc;
  * IllegalStateException}; on one that the world has stopped, see {@code quarantined()}, they have
  * no effect. Simulation thread, between steps. Does not allocate.
  */
-public interface Pushed {
+public interface BodyForces {
     /**
-     * Pushes at the centre of mass during the next step.
+     * AppliedForces at the centre of mass during the next step.
      *
      * @param fx N, finite
      * @param fy N, finite
@@ -23,7 +23,7 @@ public interface Pushed {
     void applyForce(double fx, double fy, double fz);
 
     /**
-     * Pushes at the centre of mass during the next step.
+     * AppliedForces at the centre of mass during the next step.
      *
      * @param force N, finite
      */
@@ -33,7 +33,7 @@ public interface Pushed {
     }
 
     /**
-     * Pushes at a point during the next step.
+     * AppliedForces at a point during the next step.
      *
      * @param fx N, finite
      * @param fy N, finite
@@ -45,7 +45,7 @@ public interface Pushed {
     void applyForceAt(double fx, double fy, double fz, double px, double py, double pz);
 
     /**
-     * Pushes at a point during the next step.
+     * AppliedForces at a point during the next step.
      *
      * @param force N, finite
      * @param point world, m, finite
