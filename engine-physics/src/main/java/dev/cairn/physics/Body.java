@@ -7,7 +7,7 @@ import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.Checks;
-import dev.cairn.physics.internal.GivenMass;
+import dev.cairn.physics.internal.MassOverride;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
@@ -36,7 +36,7 @@ public final class Body implements BodyVectors<Body> {
     double qw = 1;
     Material material = Material.DEFAULT;
     Filter filter = Filter.ALL;
-    GivenMass given = GivenMass.NONE;
+    MassOverride given = MassOverride.NONE;
     double vx;
     double vy;
     double vz;

@@ -6,7 +6,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.internal.GivenMass;
+import dev.cairn.physics.internal.MassOverride;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 
@@ -110,7 +110,7 @@ final class BodyChanges {
     }
 
     /** The mass of a body that does not move concerns no other. */
-    private void state(int s, GivenMass mass) {
+    private void state(int s, MassOverride mass) {
         if (table.access.type(s) == BodyType.DYNAMIC) {
             wakeAround(s);
         }

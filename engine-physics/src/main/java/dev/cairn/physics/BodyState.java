@@ -4,7 +4,7 @@ import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.internal.Checks;
-import dev.cairn.physics.internal.GivenMass;
+import dev.cairn.physics.internal.MassOverride;
 import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.shape.Shape;
 
@@ -115,7 +115,7 @@ public abstract sealed class BodyState implements Jointed permits BodyRef {
      * @return destination
      */
     public Vector3d statedInertia(Vector3d destination) {
-        GivenMass m = table.collision.stated(alive());
+        MassOverride m = table.collision.stated(alive());
         return Checks.notNull("destination", destination).set(m.xx(), m.yy(), m.zz());
     }
 
@@ -126,7 +126,7 @@ public abstract sealed class BodyState implements Jointed permits BodyRef {
      * @return destination
      */
     public Vector3d statedProducts(Vector3d destination) {
-        GivenMass m = table.collision.stated(alive());
+        MassOverride m = table.collision.stated(alive());
         return Checks.notNull("destination", destination).set(m.xy(), m.xz(), m.yz());
     }
 
@@ -137,7 +137,7 @@ public abstract sealed class BodyState implements Jointed permits BodyRef {
      * @return destination
      */
     public Vector3d statedCentreOfMass(Vector3d destination) {
-        GivenMass m = table.collision.stated(alive());
+        MassOverride m = table.collision.stated(alive());
         return Checks.notNull("destination", destination).set(m.x(), m.y(), m.z());
     }
 

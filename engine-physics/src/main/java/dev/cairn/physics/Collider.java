@@ -6,7 +6,7 @@ import dev.cairn.core.state.StateOutput;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.BodyMass;
 import dev.cairn.physics.internal.Checks;
-import dev.cairn.physics.internal.GivenMass;
+import dev.cairn.physics.internal.MassOverride;
 import dev.cairn.physics.internal.Palettes;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.internal.Surface;
@@ -407,7 +407,7 @@ public final class Collider {
     }
 
     /** Mass, centre and inertia of the parts of a body, or what the user gave instead. */
-    static MassProperties mass(List<Collider> parts, boolean fixed, GivenMass given) {
+    static MassProperties mass(List<Collider> parts, boolean fixed, MassOverride given) {
         for (Collider part : parts) {
             if (!fixed && Surface.isMeshed(part.shape())) {
                 throw new IllegalArgumentException(

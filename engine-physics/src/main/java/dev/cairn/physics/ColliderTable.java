@@ -11,8 +11,8 @@ import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.internal.GivenMass;
-import dev.cairn.physics.internal.GivenMasses;
+import dev.cairn.physics.internal.MassOverride;
+import dev.cairn.physics.internal.MassOverrides;
 import dev.cairn.physics.internal.Surface;
 import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.MassProperties;
@@ -51,7 +51,7 @@ final class ColliderTable implements Stateful {
     private Collider[] specs = {};
 
     /** By body: what the user gave instead. */
-    private final GivenMasses given = new GivenMasses();
+    private final MassOverrides given = new MassOverrides();
 
     ColliderTable(BodyTable table) {
         this.table = table;
@@ -444,8 +444,8 @@ final class ColliderTable implements Stateful {
     }
 
     /** States something of the mass, the rest follows from the parts. */
-    void state(int body, GivenMass wanted) {
-        GivenMass old = given.get(body);
+    void state(int body, MassOverride wanted) {
+        MassOverride old = given.get(body);
         given.set(body, wanted);
         MassProperties p;
         try {
@@ -465,7 +465,7 @@ final class ColliderTable implements Stateful {
     }
 
     /** What the user states of a body's mass. */
-    GivenMass stated(int body) {
+    MassOverride stated(int body) {
         return given.get(body);
     }
 

@@ -18,7 +18,7 @@ public final class BodyMass {
      * @return with finite numbers and inverses, unless it is fixed
      */
     public static MassProperties of(
-            Object shape, MassProperties own, boolean isFixed, GivenMass given) {
+            Object shape, MassProperties own, boolean isFixed, MassOverride given) {
         MassProperties p = own;
         if (p.mass() == Double.POSITIVE_INFINITY) {
             if (given.hasCentre()) {

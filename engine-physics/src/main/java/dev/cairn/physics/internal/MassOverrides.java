@@ -4,14 +4,14 @@ import dev.cairn.core.state.StateVisitor;
 
 import java.util.Arrays;
 
-/** {@link GivenMass} by body. Simulation thread; allocates when it grows. */
-public final class GivenMasses {
+/** {@link MassOverride} by body. Simulation thread; allocates when it grows. */
+public final class MassOverrides {
     private static final int STRIDE = 10;
 
     private double[] numbers = {};
 
     /** Of no body. */
-    public GivenMasses() {}
+    public MassOverrides() {}
 
     /**
      * Makes room.
@@ -30,10 +30,10 @@ public final class GivenMasses {
      * @param body its slot
      * @return what was {@link #set}
      */
-    public GivenMass get(int body) {
+    public MassOverride get(int body) {
         double[] n = numbers;
         int k = STRIDE * body;
-        return new GivenMass(
+        return new MassOverride(
                 n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7],
                 n[k + 8], n[k + 9]);
     }
@@ -44,7 +44,7 @@ public final class GivenMasses {
      * @param body its slot
      * @param m all of it
      */
-    public void set(int body, GivenMass m) {
+    public void set(int body, MassOverride m) {
         int k = STRIDE * body;
         numbers[k] = m.kilograms();
         numbers[k + 1] = m.xx();

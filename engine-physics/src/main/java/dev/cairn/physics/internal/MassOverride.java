@@ -16,7 +16,7 @@ package dev.cairn.physics.internal;
  * @param y the same
  * @param z the same
  */
-public record GivenMass(
+public record MassOverride(
         double kilograms,
         double xx,
         double yy,
@@ -30,7 +30,7 @@ public record GivenMass(
     private static final double NO = Double.NaN;
 
     /** All follows from the shapes. */
-    public static final GivenMass NONE = new GivenMass(NO, NO, NO, NO, 0, 0, 0, NO, NO, NO);
+    public static final MassOverride NONE = new MassOverride(NO, NO, NO, NO, 0, 0, 0, NO, NO, NO);
 
     /**
      * The same with a mass.
@@ -38,8 +38,8 @@ public record GivenMass(
      * @param value kg
      * @return a copy
      */
-    public GivenMass withMass(double value) {
-        return new GivenMass(value, xx, yy, zz, xy, xz, yz, x, y, z);
+    public MassOverride withMass(double value) {
+        return new MassOverride(value, xx, yy, zz, xy, xz, yz, x, y, z);
     }
 
     /**
@@ -50,8 +50,8 @@ public record GivenMass(
      * @param aboutZ kg m²
      * @return a copy
      */
-    public GivenMass withInertia(double aboutX, double aboutY, double aboutZ) {
-        return new GivenMass(kilograms, aboutX, aboutY, aboutZ, 0, 0, 0, x, y, z);
+    public MassOverride withInertia(double aboutX, double aboutY, double aboutZ) {
+        return new MassOverride(kilograms, aboutX, aboutY, aboutZ, 0, 0, 0, x, y, z);
     }
 
     /**
@@ -62,8 +62,8 @@ public record GivenMass(
      * @param bodyZ m
      * @return a copy
      */
-    public GivenMass withCentre(double bodyX, double bodyY, double bodyZ) {
-        return new GivenMass(kilograms, xx, yy, zz, xy, xz, yz, bodyX, bodyY, bodyZ);
+    public MassOverride withCentre(double bodyX, double bodyY, double bodyZ) {
+        return new MassOverride(kilograms, xx, yy, zz, xy, xz, yz, bodyX, bodyY, bodyZ);
     }
 
     /**
@@ -74,8 +74,8 @@ public record GivenMass(
      * @param newYz kg m²
      * @return a copy
      */
-    public GivenMass withProducts(double newXy, double newXz, double newYz) {
-        return new GivenMass(kilograms, xx, yy, zz, newXy, newXz, newYz, x, y, z);
+    public MassOverride withProducts(double newXy, double newXz, double newYz) {
+        return new MassOverride(kilograms, xx, yy, zz, newXy, newXz, newYz, x, y, z);
     }
 
     /**
