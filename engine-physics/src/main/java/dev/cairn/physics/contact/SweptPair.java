@@ -8,13 +8,13 @@ import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Sphere;
-import dev.cairn.physics.sweep.FirstMeeting;
+import dev.cairn.physics.sweep.TimeOfImpact;
 import dev.cairn.physics.sweep.Flight;
 import dev.cairn.physics.sweep.FreeTurn;
 
 /**
  * Two colliders along the motion of a tick: each body's centre on its parabola, turning about it
- * freely. When they meet is found by {@link FirstMeeting}.
+ * freely. When they meet is found by {@link TimeOfImpact}.
  *
  * <p>One instance per worker.
  */
@@ -66,8 +66,8 @@ final class SweptPair implements MovingPair {
     private final PointStore points;
     private final PointStore.Scratch scratch = new PointStore.Scratch();
     private final NarrowPhase narrowPhase = new NarrowPhase();
-    private final FirstMeeting search =
-            new FirstMeeting(narrowPhase, MOST_STEPS, NEAR, MOST_IN_ALL);
+    private final TimeOfImpact search =
+            new TimeOfImpact(narrowPhase, MOST_STEPS, NEAR, MOST_IN_ALL);
     private final Manifold manifold = new Manifold();
     private final Flight a = new Flight(), b = new Flight();
     private final FreeTurn freeA = new FreeTurn(), freeB = new FreeTurn();
@@ -206,7 +206,7 @@ final class SweptPair implements MovingPair {
     }
 
     /** For the two of the last {@link #setUp}. */
-    private FirstMeeting search(double nearer) {
+    private TimeOfImpact search(double nearer) {
         return search.of(a, b, fromX, fromY, fromZ, nearer);
     }
 

@@ -7,7 +7,7 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.mesh.TriangleSet;
-import dev.cairn.physics.sweep.FirstMeeting;
+import dev.cairn.physics.sweep.TimeOfImpact;
 import dev.cairn.physics.sweep.Flight;
 
 /**
@@ -36,7 +36,7 @@ final class Sweeps {
 
     private final NarrowPhase narrowPhase;
     private final MeshQueries meshes;
-    private final FirstMeeting search;
+    private final TimeOfImpact search;
     private final Manifold manifold = new Manifold();
     private final Flight a = new Flight(), b = new Flight(), surface = new Flight();
     private final TriangleSet.Found found = new TriangleSet.Found();
@@ -46,7 +46,7 @@ final class Sweeps {
     Sweeps(NarrowPhase narrowPhase, MeshQueries meshes) {
         this.narrowPhase = narrowPhase;
         this.meshes = meshes;
-        search = new FirstMeeting(narrowPhase, MOST_STEPS, NEAR);
+        search = new TimeOfImpact(narrowPhase, MOST_STEPS, NEAR);
     }
 
     /** As {@link ShapeQueries#timeOfImpact}. */

@@ -6,7 +6,7 @@
  *
  * <pre>
  *   Flight (place, velocity, acceleration, spin) ─┐
- *                                                 ├─▶ FirstMeeting ─▶ time, axis, or never
+ *                                                 ├─▶ TimeOfImpact ─▶ time, axis, or never
  *   Flight of the other ─────────────────────────┘
  * </pre>
  *

@@ -46,7 +46,7 @@ public final class BallImpacts {
     private static final double SOON = Impacts.SOON;
 
     private final Impacts impacts;
-    private final MeetingTime meeting = new MeetingTime();
+    private final BallTimeOfImpact meeting = new BallTimeOfImpact();
     private final RowWindow window = new RowWindow();
 
     /** Share of a gap that is rounding. */

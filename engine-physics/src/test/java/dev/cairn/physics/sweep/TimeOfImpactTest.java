@@ -12,13 +12,13 @@ import org.junit.jupiter.api.Test;
 import java.util.SplittableRandom;
 
 /** A box that spins a hand's breadth above a plane: how long its corner takes to get there. */
-class FirstMeetingTest {
+class TimeOfImpactTest {
     private static final double SECONDS = 1.0 / 60;
     private static final int MOST = 512;
 
     /** Spinning box at a height, and whether it meets the plane y = 0 within a tick. */
-    private static FirstMeeting look(double height, double speed, double spin) {
-        FirstMeeting search = new FirstMeeting(new NarrowPhase(), 128, 0x1p-16, MOST);
+    private static TimeOfImpact look(double height, double speed, double spin) {
+        TimeOfImpact search = new TimeOfImpact(new NarrowPhase(), 128, 0x1p-16, MOST);
         Flight box = new Flight();
         box.shape = Box.ofHalfExtents(0.5, 0.5, 0.01);
         box.vy = -speed;
@@ -43,11 +43,11 @@ class FirstMeetingTest {
     void whoTurnsTooOftenIsLeftInTheAir() {
         // the corner passes 0.1 mm above the plane, a million radians a second
         double height = StrictMath.sqrt(0.5) + 1e-4;
-        FirstMeeting search = look(height, 0, 1e6);
+        TimeOfImpact search = look(height, 0, 1e6);
         assertTrue(search.isUndecided);
         assertTrue(search.time > 0 && search.time < SECONDS, "at " + search.time + " s");
         // and it is not where it is slow enough to be followed
-        FirstMeeting slow = look(height, 0, 100);
+        TimeOfImpact slow = look(height, 0, 100);
         assertFalse(slow.isUndecided);
     }
 
@@ -58,7 +58,7 @@ class FirstMeetingTest {
         int passing = 0;
         int meeting = 0;
         for (int i = 0; i < 4000; i++) {
-            FirstMeeting search = new FirstMeeting(new NarrowPhase(), 128, 0x1p-16, MOST);
+            TimeOfImpact search = new TimeOfImpact(new NarrowPhase(), 128, 0x1p-16, MOST);
             Flight a = turning(random);
             Flight b = turning(random);
             double[] from = direction(random);
@@ -94,7 +94,7 @@ class FirstMeetingTest {
         int met = 0;
         int apart = 0;
         for (int i = 0; i < 4000; i++) {
-            FirstMeeting search = new FirstMeeting(new NarrowPhase(), 128, 0x1p-16, MOST);
+            TimeOfImpact search = new TimeOfImpact(new NarrowPhase(), 128, 0x1p-16, MOST);
             Flight a = turning(random);
             Flight b = turning(random);
             double[] n = direction(random);

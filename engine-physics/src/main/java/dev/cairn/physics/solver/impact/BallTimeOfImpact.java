@@ -4,7 +4,7 @@ package dev.cairn.physics.solver.impact;
  * When two balls meet, whose distance vector is a parabola: the root of {@code |p + v t + a t²/2| =
  * R}, by that without acceleration and Newton's method from there.
  */
-final class MeetingTime {
+final class BallTimeOfImpact {
     /** Three are enough but for paths that graze. */
     private static final int NEWTON_STEPS = 20;
 

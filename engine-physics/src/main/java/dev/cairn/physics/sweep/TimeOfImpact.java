@@ -33,7 +33,7 @@ import dev.cairn.physics.narrowphase.pair.Reach;
  *
  * <p>One thread. Allocates nothing.
  */
-public final class FirstMeeting {
+public final class TimeOfImpact {
     /** Of what they have moved: rounding of their places. */
     private static final double ROUNDING = 0x1p-51;
 
@@ -79,7 +79,7 @@ public final class FirstMeeting {
      * @param mostSteps distances to measure before it gives up
      * @param near it gives up only when they are no farther apart than this part of their sizes
      */
-    public FirstMeeting(NarrowPhase narrowPhase, int mostSteps, double near) {
+    public TimeOfImpact(NarrowPhase narrowPhase, int mostSteps, double near) {
         this(narrowPhase, mostSteps, near, Integer.MAX_VALUE);
     }
 
@@ -92,7 +92,7 @@ public final class FirstMeeting {
      * @param near see above
      * @param mostInAll distances to measure before it gives up however far apart they are
      */
-    public FirstMeeting(NarrowPhase narrowPhase, int mostSteps, double near, int mostInAll) {
+    public TimeOfImpact(NarrowPhase narrowPhase, int mostSteps, double near, int mostInAll) {
         this.narrowPhase = narrowPhase;
         this.mostSteps = mostSteps;
         this.near = near;
@@ -110,7 +110,7 @@ public final class FirstMeeting {
      * @param nearer nearer than that counts as met, m, at least 0
      * @return this
      */
-    public FirstMeeting of(
+    public TimeOfImpact of(
             Flight first, Flight second, double x, double y, double z, double nearer) {
         a = first;
         b = second;
