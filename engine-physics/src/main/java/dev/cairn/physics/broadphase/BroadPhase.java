@@ -52,7 +52,7 @@ public final class BroadPhase {
     private final PairSearch search;
 
     /** Bodies with trees of their own. */
-    final ManyShapes many;
+    final CompoundTrees many;
 
     /** Slots whose filter changed since the last tick; so their pairs may end, or begin. */
     private boolean refiltered;
@@ -70,7 +70,7 @@ public final class BroadPhase {
     public BroadPhase(PairFilter filter) {
         this.filter = filter;
         search = new PairSearch(this, filter, pairs);
-        many = new ManyShapes(filter.colliders, staticTree, dynamicTree);
+        many = new CompoundTrees(filter.colliders, staticTree, dynamicTree);
     }
 
     /** Grows the columns; between phases only. */

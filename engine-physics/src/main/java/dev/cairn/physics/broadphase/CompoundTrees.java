@@ -13,7 +13,7 @@ import java.util.Arrays;
  *
  * <p>Simulation thread; {@link #root} also from blocks. Allocates only when something grows.
  */
-final class ManyShapes implements Stateful {
+final class CompoundTrees implements Stateful {
     /** From so many shapes on a body has a tree of its own. */
     static final int LEAST = 32;
 
@@ -30,7 +30,7 @@ final class ManyShapes implements Stateful {
      * @param still tree of what never moves
      * @param moving tree of what moves
      */
-    ManyShapes(ColliderStore colliders, AabbTree still, AabbTree moving) {
+    CompoundTrees(ColliderStore colliders, AabbTree still, AabbTree moving) {
         this.colliders = colliders;
         trees = new AabbTree[] {still, moving};
         closed = new ClosedTrees[] {new ClosedTrees(still), new ClosedTrees(moving)};

@@ -33,7 +33,7 @@ import java.util.Set;
  * Bodies of hundreds of shapes have trees of their own: the same pairs as by asking each shape of
  * each other, at what a tree costs, counted in nodes.
  */
-class ManyShapesTest {
+class CompoundTreesTest {
     private static Body raft(int wide, int deep, double spacing) {
         Body body = Body.dynamic();
         for (int i = 0; i < wide * deep; i++) {
