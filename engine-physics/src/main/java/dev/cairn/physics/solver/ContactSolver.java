@@ -20,7 +20,7 @@ import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.RowWindow;
-import dev.cairn.physics.solver.row.SoftPace;
+import dev.cairn.physics.solver.row.SoftnessStep;
 import dev.cairn.physics.solver.row.SubStep;
 import dev.cairn.physics.solver.wide.Lanes;
 import dev.cairn.physics.solver.wide.WideSweeps;
@@ -79,7 +79,7 @@ public final class ContactSolver {
     private final IntPredicate turns = this::turns;
 
     private final IslandEnergy energy = new IslandEnergy();
-    private final SoftPace softPace = new SoftPace();
+    private final SoftnessStep softnessStep = new SoftnessStep();
     private int substepsBefore;
 
     /** By kind: rows that its wide sweeps would have taken, summed over ticks. */
@@ -207,7 +207,7 @@ public final class ContactSolver {
                         tick.settings.count(Tunable.FLOATS_FROM),
                         jobs);
         tick.order = batches.order;
-        supports.find(tick, stacked, softPace.seconds(), locals, jobs);
+        supports.find(tick, stacked, softnessStep.seconds(), locals, jobs);
         for (int k = Batches.FLOATS; k <= Batches.DOUBLES; k++) {
             if (list.count > 0 && batches.hasBodies(k)) {
                 passes[k].ensureCapacity(bodies.slotCount);
@@ -403,14 +403,14 @@ public final class ContactSolver {
         Tuning settings = tick.settings;
         int substeps = settings.count(Tunable.SUBSTEPS);
         tick.softScale =
-                softPace.next(stepSeconds / substeps, stepSeconds, substeps != substepsBefore);
+                softnessStep.next(stepSeconds / substeps, stepSeconds, substeps != substepsBefore);
         if (stepSeconds == tick.step && substeps == substepsBefore && tick.softScale == 1) {
             tick.impulseScale = 1;
         } else {
             double longer = (double) substepsBefore / substeps;
             tick.impulseScale = tick.step == 0 ? 1 : stepSeconds / tick.step * longer;
             substepsBefore = substeps;
-            sub.set(stepSeconds, softPace.seconds(), settings);
+            sub.set(stepSeconds, softnessStep.seconds(), settings);
             tick.step = stepSeconds;
             tick.subStep = sub.seconds;
         }
@@ -431,7 +431,7 @@ public final class ContactSolver {
      */
     public void state(StateVisitor s, int slots) {
         tick.body.state(s, slots);
-        softPace.state(s);
+        softnessStep.state(s);
         list.state(s);
         assemblies.state(s);
         collector.state(s);
@@ -442,7 +442,7 @@ public final class ContactSolver {
         tick.subStep = s.value("subStep", tick.subStep);
         if (s.isRestoring()) {
             if (tick.step > 0) {
-                sub.set(tick.step, softPace.seconds(), tick.settings);
+                sub.set(tick.step, softnessStep.seconds(), tick.settings);
             }
         }
     }

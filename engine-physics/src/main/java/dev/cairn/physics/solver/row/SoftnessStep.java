@@ -16,7 +16,7 @@ import dev.cairn.core.state.Stateful;
  *
  * <p>Ticks of one length: that length. Simulation thread. Does not allocate.
  */
-public final class SoftPace implements Stateful {
+public final class SoftnessStep implements Stateful {
     /** After so much time of shorter ticks they are the rule, s. */
     private static final double WINDOW = 2;
 
@@ -51,7 +51,7 @@ public final class SoftPace implements Stateful {
 
     @Override
     public void state(StateVisitor s) {
-        s.section("softPace", this);
+        s.section("softnessStep", this);
         seconds = s.value("seconds", seconds);
         longest = s.value("longest", longest);
         elapsed = s.value("elapsed", elapsed);
