@@ -79,7 +79,7 @@ final class BodyChanges {
         MassProperties mass = collision.massNow(s, parts);
         wakeAround(s);
         for (ColliderRef part : collision.list(s)) {
-            collision.paint(part.slot(), material);
+            collision.applyMaterial(part.slot(), material);
         }
         collision.settle(s, mass);
         learn(s);

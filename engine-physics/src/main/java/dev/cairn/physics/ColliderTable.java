@@ -105,7 +105,7 @@ final class ColliderTable implements Stateful {
         given.state(s, slots);
         for (int c = 0; c < slots && s.isRestoring(); c++) {
             if (refs.has(c)) {
-                paint(c, specs[c]);
+                setPalette(c, specs[c]);
             }
         }
     }
@@ -205,7 +205,7 @@ final class ColliderTable implements Stateful {
         colliders.restitution[c] = material.restitution();
         colliders.rollingArm[c] = material.rollingArm();
         colliders.mixing[c] = Collider.rules(material);
-        double rolls = paint(c, part);
+        double rolls = setPalette(c, part);
         colliders.userData[c] = part.userData;
         Vector3d run = part.surfaceVelocity(new Vector3d());
         colliders.setBelt(c, run.x, run.y, run.z);
@@ -224,7 +224,7 @@ final class ColliderTable implements Stateful {
     }
 
     /** The materials of its triangles; returns the longest arm of rolling friction of these. */
-    private double paint(int c, Collider part) {
+    private double setPalette(int c, Collider part) {
         colliders.palettes.set(c, part.palette());
         double most = 0;
         for (int i = 0; i < part.materials().size(); i++) {
@@ -238,7 +238,7 @@ final class ColliderTable implements Stateful {
         if (Checks.notNull("material", material).equals(specs[c].material())) {
             return;
         }
-        paint(c, material);
+        applyMaterial(c, material);
         joinParts(colliders.body[c]);
         colliders.measure(colliders.body[c]);
         table.registry.changed(colliders.body[c]);
@@ -246,7 +246,7 @@ final class ColliderTable implements Stateful {
     }
 
     /** Another surface of one collider; nothing follows yet. */
-    void paint(int c, Material material) {
+    void applyMaterial(int c, Material material) {
         surface(c, now(c).material(material));
         ContactMaterials.mixAll(contacts(), c, colliders);
     }

@@ -78,7 +78,7 @@ final class RestingIslands {
         }
         if (bodies.driven > 0) {
             for (EdgeSource source : edges) {
-                stir(source);
+                markRestless(source);
             }
         }
     }
@@ -167,7 +167,7 @@ final class RestingIslands {
     }
 
     /** What touches a body that moves of itself does not rest, however slow that is. */
-    private void stir(EdgeSource source) {
+    private void markRestless(EdgeSource source) {
         byte[] kind = bodies.kind;
         for (int i = 0; i < source.edges(); i++) {
             int a = source.edgeA(i);

@@ -282,7 +282,7 @@ final class Passes {
     /** What the bias pass did is part of the warm start, before levers change. */
     void keep(int from, int to) {
         for (int k = from; k < to; k++) {
-            if (refresh.stirs(tick.order[k])) {
+            if (refresh.hasRenewedRow(tick.order[k])) {
                 Motion.keep(tick.bodies, body, tick.order[k]);
             }
         }
@@ -297,7 +297,7 @@ final class Passes {
 
     void renewBodies(SubStep sub, int from, int to) {
         for (int k = from; k < to; k++) {
-            if (refresh.stirs(tick.order[k])) {
+            if (refresh.hasRenewedRow(tick.order[k])) {
                 refresh.body(body, tick.bodies, tick.order[k], sub.seconds);
                 round(tick.order[k]);
             }
@@ -346,7 +346,7 @@ final class Passes {
         int island = islands.open(batch, index);
         boolean renewed = false;
         for (int k = islands.firstBody[island]; k < islands.firstBody[island + 1]; k++) {
-            renewed |= refresh.stirs(islands.body[k]);
+            renewed |= refresh.hasRenewedRow(islands.body[k]);
         }
         local.direct.run(
                 rows,

@@ -116,7 +116,7 @@ public final class Wholes {
         for (int u = 0; u < taken.length; u++) {
             isChanged |= taken[u] < 0;
             int w = taken[u] < 0 ? make(found.get(u)) : taken[u];
-            dress(w, found.get(u));
+            setShape(w, found.get(u));
         }
         if (isChanged && !isNew) {
             registry.changed(body);
@@ -209,7 +209,7 @@ public final class Wholes {
     }
 
     /** Gives a whole what its parts have, and its parts the whole. */
-    private void dress(int w, ConvexUnion union) {
+    private void setShape(int w, ConvexUnion union) {
         ColliderStore k = colliders;
         System.arraycopy(union.pose(), 0, k.local, ColliderStore.LOCAL * w, ColliderStore.LOCAL);
         int like = slots.get(union.members()[0]);

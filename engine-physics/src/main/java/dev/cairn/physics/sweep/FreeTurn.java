@@ -192,7 +192,7 @@ public final class FreeTurn {
             return;
         }
         if (whirls && !isSymmetric) {
-            Tumbling.whirl(one, 0, axes.data, w, t);
+            Tumbling.turnInTheMean(one, 0, axes.data, w, t);
         } else {
             Tumbling.turn(one, 0, axes.data, w, 0, t, 1);
         }

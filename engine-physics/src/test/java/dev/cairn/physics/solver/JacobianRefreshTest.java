@@ -60,7 +60,7 @@ class JacobianRefreshTest {
         renewal.ensurePlaces(rows);
         renewal.look(s.bodies, box, 9.81, 1 / 60.0, false);
         boolean any = renewal.find(rows, s.contacts, s.bodies, 9.81, 0, 1);
-        assertEquals(any, renewal.stirs(box));
+        assertEquals(any, renewal.hasRenewedRow(box));
         return any;
     }
 

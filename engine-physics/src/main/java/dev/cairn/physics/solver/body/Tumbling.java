@@ -113,7 +113,7 @@ public final class Tumbling {
      *
      * @param t s
      */
-    public static void whirl(BodyStore bodies, int i, double[] axes, double[] w, double t) {
+    public static void turnInTheMean(BodyStore bodies, int i, double[] axes, double[] w, double t) {
         int p = i * PrincipalAxes.STRIDE;
         multiply(bodies, i, axes, p + PrincipalAxes.QX, 1);
         precess(

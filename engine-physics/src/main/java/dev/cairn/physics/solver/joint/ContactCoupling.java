@@ -280,7 +280,7 @@ abstract class ContactCoupling extends PositionCorrection {
             load(d, lanes, q, 1);
             f.solve();
             for (int p = 0; p < points; p++) {
-                coupling[p * points + q] = felt(d, lanes, p) + answer(d, lanes, p, q);
+                coupling[p * points + q] = speedAt(d, lanes, p) + answer(d, lanes, p, q);
             }
         }
     }
@@ -298,8 +298,8 @@ abstract class ContactCoupling extends PositionCorrection {
         }
     }
 
-    /** What a point feels of the solution, m/s. */
-    private double felt(double[] d, int lanes, int p) {
+    /** Speed that the solution gives a point along its normal, m/s. */
+    private double speedAt(double[] d, int lanes, int p) {
         double[] x = s.factors.x();
         int u = s.factors.unknown(node[p]);
         int arm = arm(p, lanes);

@@ -191,7 +191,7 @@ public final class JointSolve extends PositionTrial {
      */
     public void turn(JacobianRefresh refresh) {
         for (int i : s.body) {
-            if (!refresh.stirs(i)) {
+            if (!refresh.hasRenewedRow(i)) {
                 renew(tick, i);
             }
         }

@@ -182,7 +182,7 @@ final class NetSolve {
 
     private void start(double[] first, double scale, double gain) {
         double most = gain * kinetic();
-        net.remind(first, scale);
+        net.warmStart(first, scale);
         net.apply(net.impulse);
         add(net.linear, net.angular, 1);
         if (!(kinetic() <= most)) {

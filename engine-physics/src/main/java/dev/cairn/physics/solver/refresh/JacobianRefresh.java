@@ -72,7 +72,7 @@ public final class JacobianRefresh {
     private double[] rounds = {};
 
     /** By slot: whether a row of the body is renewed. */
-    private boolean[] stirred = {};
+    private boolean[] hasRenewedRow = {};
 
     /** By slot: whether the body turns since an impact within the tick; its rows do not know. */
     private boolean[] struck = {};
@@ -83,7 +83,7 @@ public final class JacobianRefresh {
             turns = Arrays.copyOf(turns, n);
             start = Arrays.copyOf(start, 4 * n);
             turn = Arrays.copyOf(turn, 9 * n);
-            stirred = Arrays.copyOf(stirred, n);
+            hasRenewedRow = Arrays.copyOf(hasRenewedRow, n);
             struck = Arrays.copyOf(struck, n);
         }
     }
@@ -101,7 +101,7 @@ public final class JacobianRefresh {
         double z = b.angularVelocityZ[i];
         double far = b.outerRadius[i];
         double slow = SLOW * SLOW * gravity * b.innerRadius[i];
-        stirred[i] = false;
+        hasRenewedRow[i] = false;
         double u = b.velocityX[i];
         double v = b.velocityY[i];
         double w = b.velocityZ[i];
@@ -125,7 +125,7 @@ public final class JacobianRefresh {
     /** Levers of a kinematic body do not turn with it within the tick. */
     public void keep(int slot) {
         turns[slot] = false;
-        stirred[slot] = false;
+        hasRenewedRow[slot] = false;
     }
 
     public void ensurePlaces(ConstraintRows rows) {
@@ -172,10 +172,10 @@ public final class JacobianRefresh {
                     RoundTurn.keep(b, j, c.colliderB[source], rounds, roundB(place));
                 }
                 if (movesA) {
-                    stirred[i] = true;
+                    hasRenewedRow[i] = true;
                 }
                 if (movesB) {
-                    stirred[j] = true;
+                    hasRenewedRow[j] = true;
                 }
             }
         }
@@ -218,8 +218,8 @@ public final class JacobianRefresh {
     }
 
     /** Whether a row of a body is renewed. */
-    public boolean stirs(int slot) {
-        return stirred[slot];
+    public boolean hasRenewedRow(int slot) {
+        return hasRenewedRow[slot];
     }
 
     private static boolean passes(BodyStore b, int i, int j, double gravity) {

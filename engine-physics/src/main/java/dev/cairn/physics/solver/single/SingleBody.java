@@ -43,7 +43,7 @@ public final class SingleBody {
         SolverBodies bodies = tick.body;
         int row = rows.list.place[bodies.guide[i]];
         MotionRecord.start(bodies, i);
-        if (refresh.stirs(i) && rim.begin(tick, rows, row, i, sub, refresh)) {
+        if (refresh.hasRenewedRow(i) && rim.begin(tick, rows, row, i, sub, refresh)) {
             return;
         }
         if (SingleContact.turns(bodies.state, i, gain) && InelasticImpact.isAwaited(rows, row)) {
@@ -53,7 +53,7 @@ public final class SingleBody {
                 window.close(rows, row);
             }
         }
-        if (refresh.stirs(i)) {
+        if (refresh.hasRenewedRow(i)) {
             PinnedCorner.begin(tick.bodies, bodies, i, rows, row, sub.touch);
         }
     }
@@ -77,7 +77,7 @@ public final class SingleBody {
         int row = rows.list.place[bodies.guide[i]];
         ConstraintRows guide = window.open(rows, row);
         int place = window.place();
-        if (refresh.stirs(i)
+        if (refresh.hasRenewedRow(i)
                 && (corner.run(tick, guide, rows.rolling, place, i, sub, refresh, row)
                         || rim.run(tick, guide, place, i, sub, refresh, row))) {
             window.close(rows, row);

@@ -171,7 +171,7 @@ public final class PointNet {
     }
 
     /** Begins with impulses of the last sub-step, which go along with A. */
-    public void remind(double[] last, double scale) {
+    public void warmStart(double[] last, double scale) {
         for (int p = 0; p < joint.length; p++) {
             int o = 3 * a[p];
             int q = 3 * p;
