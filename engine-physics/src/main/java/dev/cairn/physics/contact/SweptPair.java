@@ -10,7 +10,7 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.sweep.TimeOfImpact;
 import dev.cairn.physics.sweep.Flight;
-import dev.cairn.physics.sweep.FreeTurn;
+import dev.cairn.physics.sweep.FreeRotationPath;
 
 /**
  * Two colliders along the motion of a tick: each body's centre on its parabola, turning about it
@@ -70,7 +70,7 @@ final class SweptPair implements MovingPair {
             new TimeOfImpact(narrowPhase, MOST_STEPS, NEAR, MOST_IN_ALL);
     private final Manifold manifold = new Manifold();
     private final Flight a = new Flight(), b = new Flight();
-    private final FreeTurn freeA = new FreeTurn(), freeB = new FreeTurn();
+    private final FreeRotationPath freeA = new FreeRotationPath(), freeB = new FreeRotationPath();
     private final double[] v = new double[3];
     private final double[] u = new double[3];
     private int slotA, slotB;
@@ -452,7 +452,7 @@ final class SweptPair implements MovingPair {
      *
      * @return what its turning is uncertain by, m
      */
-    private double set(Flight f, FreeTurn free, int slot) {
+    private double set(Flight f, FreeRotationPath free, int slot) {
         BodyStore s = colliders.bodies;
         int body = colliders.body[slot];
         f.shape = colliders.shape[slot];
@@ -482,7 +482,7 @@ final class SweptPair implements MovingPair {
             f.tumbles(free, step);
         }
         double most = MOST_DOUBT * colliders.innerRadius[slot];
-        double doubt = isDynamic ? FreeTurn.doubt(s, body, step, colliders.outerRadius[slot]) : 0;
+        double doubt = isDynamic ? FreeRotationPath.doubt(s, body, step, colliders.outerRadius[slot]) : 0;
         return Math.min(doubt, most);
     }
 

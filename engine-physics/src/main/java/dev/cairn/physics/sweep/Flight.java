@@ -60,7 +60,7 @@ public final class Flight {
     private final double[] turn = new double[7];
 
     /** How it turns, unless at a constant rate. */
-    private @Nullable FreeTurn free;
+    private @Nullable FreeRotationPath free;
 
     /** A shape that stays, until it is set. */
     public Flight() {}
@@ -112,7 +112,7 @@ public final class Flight {
      * @param turning of the body, at its start
      * @param until how long it is looked at, s
      */
-    public void tumbles(FreeTurn turning, double until) {
+    public void tumbles(FreeRotationPath turning, double until) {
         if (spin == 0) {
             return;
         }
@@ -144,7 +144,7 @@ public final class Flight {
             qw = sw;
             return;
         }
-        FreeTurn turning = free;
+        FreeRotationPath turning = free;
         if (turning == null) {
             Rotations.turn(wx, wy, wz, spin, t, turn);
         } else {

@@ -5,7 +5,7 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.sweep.Flight;
-import dev.cairn.physics.sweep.FreeTurn;
+import dev.cairn.physics.sweep.FreeRotationPath;
 
 import java.util.Arrays;
 
@@ -64,7 +64,7 @@ final class ImpactResults {
         stops[at + 4] = f.qy;
         stops[at + 5] = f.qz;
         stops[at + 6] = f.qw;
-        FreeTurn.unit(stops, at + 3);
+        FreeRotationPath.unit(stops, at + 3);
         stops[at + 7] = s.positionX[body];
         stops[at + 8] = s.positionY[body];
         stops[at + 9] = s.positionZ[body];

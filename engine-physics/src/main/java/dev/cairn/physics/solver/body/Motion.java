@@ -178,7 +178,7 @@ public final class Motion {
             double t = h * count;
             Rotation.turn(b, i, t * w[o], t * w[o + 1], t * w[o + 2]);
         } else {
-            Tumbling.turn(b, i, s.axes.data, w, o, h, count);
+            FreeRotation.turn(b, i, s.axes.data, w, o, h, count);
         }
     }
 
@@ -299,7 +299,7 @@ public final class Motion {
         w[o] = x;
         w[o + 1] = y;
         w[o + 2] = z;
-        Tumbling.turn(b, i, s.axes.data, w, o, h, 1);
+        FreeRotation.turn(b, i, s.axes.data, w, o, h, 1);
         s.weigh(i, w[o], w[o + 1], w[o + 2]);
         int m = (i + 1) * SolverBodies.HALF + 3;
         s.mark[m] += w[o] - u;

@@ -3,7 +3,7 @@ package dev.cairn.physics.solver.body;
 import dev.cairn.physics.internal.BodyStore;
 
 /**
- * Turns of one body, in place in a {@link BodyStore}; free rotation is {@link Tumbling}'s.
+ * Turns of one body, in place in a {@link BodyStore}; free rotation is {@link FreeRotation}'s.
  *
  * <p>Turns are the exact exponential. Sines and cosines are polynomials: the same bits on every
  * machine.

@@ -14,7 +14,7 @@ import dev.cairn.physics.solver.body.PrincipalAxes;
 import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
-import dev.cairn.physics.solver.body.Tumbling;
+import dev.cairn.physics.solver.body.FreeRotation;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.RollingRows;
@@ -32,7 +32,7 @@ import java.util.Arrays;
  *
  * <p>About a fixed point the body turns freely but for its weight, and so: half a kick of the
  * moment of weight and forces about the point; free rotation with the inertia about the point,
- * exact or nearly ({@link Tumbling}); half a kick at the new pose. Symmetric and of the second
+ * exact or nearly ({@link FreeRotation}); half a kick at the new pose. Symmetric and of the second
  * order; without weight it is the free motion itself, at any speed. The corner stays where it is,
  * but for what it is pushed out of an overlap. The contact's impulse is what the body's momentum
  * lacks then. If that pulls, or is more than friction holds, the body slips or lifts: then all is
@@ -238,7 +238,7 @@ final class PinnedCorner {
         momentum[2] += from[0] * y - from[1] * x;
         kick(from, 0.5 * h);
         spin(b, i);
-        Tumbling.turn(b, i, axes, 0, spin, 0, h, 1);
+        FreeRotation.turn(b, i, axes, 0, spin, 0, h, 1);
         lever(b, i, to);
         kick(to, 0.5 * h);
         spin(b, i);

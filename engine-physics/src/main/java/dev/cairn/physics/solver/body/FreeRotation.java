@@ -37,7 +37,7 @@ import dev.cairn.physics.internal.BodyStore;
  * (2005); Hairer and Vilmart, "Preprocessed discrete Moser-Veselov algorithm for the full dynamics
  * of the rigid body" (2006).
  */
-public final class Tumbling {
+public final class FreeRotation {
     /** The largest turn of one step, rad; faster bodies take several. */
     private static final double TURN = 0.25;
 
@@ -55,7 +55,7 @@ public final class Tumbling {
     /** Moments that differ by less than this share are equal. */
     private static final double SAME = 1e-13;
 
-    private Tumbling() {}
+    private FreeRotation() {}
 
     /**
      * Turns a body by {@code count} steps.

@@ -3,10 +3,10 @@ package dev.cairn.physics.sweep;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.solver.body.PrincipalAxes;
-import dev.cairn.physics.solver.body.Tumbling;
+import dev.cairn.physics.solver.body.FreeRotation;
 
 /**
- * How a body that nothing turns lies at any time of a tick: by {@link Tumbling}, so that its
+ * How a body that nothing turns lies at any time of a tick: by {@link FreeRotation}, so that its
  * angular momentum and its energy are at each time what they were, to rounding.
  *
  * <p>With two equal moments in closed form. With three by steps of a fixed length s from the start,
@@ -17,7 +17,7 @@ import dev.cairn.physics.solver.body.Tumbling;
  *
  * <p>One thread. Allocates nothing, except for the axes of a body that it has not seen.
  */
-public final class FreeTurn {
+public final class FreeRotationPath {
     /** The turn of a step, rad, and how many steps a tick has at most. */
     private static final double TURN = 0.25;
 
@@ -53,7 +53,7 @@ public final class FreeTurn {
     private final double[] v = new double[3], turn = new double[4];
 
     /** Any body, until one is chosen. */
-    public FreeTurn() {
+    public FreeRotationPath() {
         one.ensureCapacity(1);
         axes.ensureCapacity(1);
     }
@@ -94,7 +94,7 @@ public final class FreeTurn {
         one.inertiaXZ[0] = s.inertiaXZ[body];
         one.inertiaYZ[0] = s.inertiaYZ[body];
         axes.update(one, 0);
-        isSymmetric = Tumbling.symmetry(axes.data, 0) >= 0;
+        isSymmetric = FreeRotation.symmetry(axes.data, 0) >= 0;
     }
 
     /** Chooses the steps, which go by what does not change as the body turns. */
@@ -103,7 +103,7 @@ public final class FreeTurn {
         if (isSymmetric) {
             return;
         }
-        most = Math.max(most, Tumbling.fastest(one, 0, axes.data, w));
+        most = Math.max(most, FreeRotation.fastest(one, 0, axes.data, w));
         whirls = !(tick * most <= WHIRL);
         span = tick / Math.max(1, Math.min(Math.ceil(tick * most / TURN), STEPS));
     }
@@ -192,9 +192,9 @@ public final class FreeTurn {
             return;
         }
         if (whirls && !isSymmetric) {
-            Tumbling.turnInTheMean(one, 0, axes.data, w, t);
+            FreeRotation.turnInTheMean(one, 0, axes.data, w, t);
         } else {
-            Tumbling.turn(one, 0, axes.data, w, 0, t, 1);
+            FreeRotation.turn(one, 0, axes.data, w, 0, t, 1);
         }
     }
 

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.solver.body.PrincipalAxes;
-import dev.cairn.physics.solver.body.Tumbling;
+import dev.cairn.physics.solver.body.FreeRotation;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -15,7 +15,7 @@ import java.util.Arrays;
 import java.util.Random;
 
 /** Free rotation against a Runge-Kutta reference, its constants, and speeds without measure. */
-class TumblingTest {
+class FreeRotationTest {
     private static final long SEED = 20261122;
 
     private final BodyStore bodies = new BodyStore();
@@ -146,7 +146,7 @@ class TumblingTest {
                         .mul(2);
         body(moments, frame, start, spin);
         Quaterniond truth = reference(moments, new Quaterniond(start).mul(frame), spin);
-        Tumbling.turn(bodies, 0, axes.data, w, 0, 1.0 / steps, steps);
+        FreeRotation.turn(bodies, 0, axes.data, w, 0, 1.0 / steps, steps);
         return angle(truth, orientation().mul(frame));
     }
 
@@ -193,7 +193,7 @@ class TumblingTest {
                 body(moments, turned(random), turned(random), spin.normalize(speed));
                 Vector3d l = momentum();
                 double e = energy();
-                Tumbling.turn(bodies, 0, axes.data, w, 0, 1.0 / 240, 240);
+                FreeRotation.turn(bodies, 0, axes.data, w, 0, 1.0 / 240, 240);
                 // each step rounds w = I^-1 L anew, with moments 1 : 1e8 at worst
                 double bar = moments[0] < 1e-3 ? 1e-8 : 2e-12;
                 assertEquals(0, momentum().distance(l) / l.length(), bar, "L at " + speed);
@@ -213,7 +213,7 @@ class TumblingTest {
             Vector3d axis = new Vector3d(1, 0, 0);
             double angle = l.length() / 60 * 0.5 * (1 + 1 / 1.0005);
             new Quaterniond().rotateAxis(angle, new Vector3d(l).normalize()).transform(axis);
-            Tumbling.turn(bodies, 0, axes.data, w, 0, 1.0 / 240, 4);
+            FreeRotation.turn(bodies, 0, axes.data, w, 0, 1.0 / 240, 4);
             Vector3d now = orientation().transform(new Vector3d(1, 0, 0));
             // the moments across differ by 5e-4
             assertEquals(0, now.distance(axis), 1e-3, "at " + whirl + " rad/s");
