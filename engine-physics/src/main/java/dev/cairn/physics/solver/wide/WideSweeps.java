@@ -126,13 +126,20 @@ public final class WideSweeps implements Sweeps {
             if (rows == null) {
                 rows = new MadeUpRows();
             }
-            long scalarNanos = rows.time(scalar, round);
-            long wideNanos = rows.time(wide, round);
+            long scalarNanos = time(rows, scalar, round);
+            long wideNanos = time(rows, wide, round);
             if (round % 2 == 0) {
                 bestScalar = Math.min(bestScalar, scalarNanos);
                 bestWide = Math.min(bestWide, wideNanos);
             }
             return wideNanos < 2 * scalarNanos;
+        }
+
+        private static long time(MadeUpRows rows, Sweeps sweeps, int round) {
+            rows.fill(round);
+            long start = System.nanoTime();
+            rows.pass(sweeps);
+            return System.nanoTime() - start;
         }
 
         @Override
@@ -176,15 +183,16 @@ public final class WideSweeps implements Sweeps {
             sub.still = 0.01;
         }
 
-        long time(Sweeps sweeps, int round) {
-            fill(rows, bodies, contacts, random, round);
+        void fill(int round) {
+            WideSweeps.fill(rows, bodies, contacts, random, round);
+        }
+
+        void pass(Sweeps sweeps) {
             int to = rows.places;
-            long start = System.nanoTime();
             sweeps.fill(rows, bodies, contacts, sub, 0, to, scratch);
             sweeps.bias(rows, bodies, sub, 0, to, scratch);
             sweeps.relax(rows, bodies, sub, 0, to, scratch);
             sweeps.store(rows, bodies, contacts, sub, 0, to, scratch);
-            return System.nanoTime() - start;
         }
     }
 
