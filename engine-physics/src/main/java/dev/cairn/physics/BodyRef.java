@@ -1,10 +1,10 @@
 package dev.cairn.physics;
 
 import dev.cairn.core.state.StateCodec;
+import dev.cairn.physics.body.BodyForces;
 import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.body.Lock;
-import dev.cairn.physics.body.BodyForces;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.shape.Shape;

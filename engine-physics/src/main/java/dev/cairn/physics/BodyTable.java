@@ -18,8 +18,8 @@ import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.SleepingBodies;
 import dev.cairn.physics.shape.MassProperties;
-import dev.cairn.physics.state.BodyRegistry;
 import dev.cairn.physics.state.AppliedForces;
+import dev.cairn.physics.state.BodyRegistry;
 import dev.cairn.physics.state.RigidBody;
 import dev.cairn.physics.state.WorldCheck;
 

@@ -108,7 +108,8 @@ final class DeltaBytes {
         for (int i = 0; i < predicted.length; i++) {
             predicted[i] = in.readShort() + (i == 0 ? 0 : predicted[i - 1]);
             if (predicted[i] < 0) {
-                throw new StateException("the delta is damaged: row " + predicted[i] + " is packed");
+                throw new StateException(
+                        "the delta is damaged: row " + predicted[i] + " is packed");
             }
         }
         DeltaWords words = words(in);
@@ -124,7 +125,15 @@ final class DeltaBytes {
                             + " bytes of words");
         }
         return new StateDelta(
-                before, after, alignment, onlyBefore, onlyAfter, words, references, predicted, true);
+                before,
+                after,
+                alignment,
+                onlyBefore,
+                onlyAfter,
+                words,
+                references,
+                predicted,
+                true);
     }
 
     private static DeltaWords words(StateInput in) {

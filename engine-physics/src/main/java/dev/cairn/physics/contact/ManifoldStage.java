@@ -298,7 +298,9 @@ public final class ManifoldStage {
         int a = c.colliderA[row];
         int b = c.colliderB[row];
         double margin = margin(a, b);
-        boolean flat = PolyhedronRecycler.fits(colliders.shape[a]) && PolyhedronRecycler.fits(colliders.shape[b]);
+        boolean flat =
+                PolyhedronRecycler.fits(colliders.shape[a])
+                        && PolyhedronRecycler.fits(colliders.shape[b]);
         if (flat && recycler.renew(row, margin)) {
             return;
         }

@@ -17,8 +17,8 @@ import dev.cairn.physics.shape.polyhedron.Polyhedron;
  * separates the pair), the incident solid the other one. Seen from the reference, the incident
  * solid has moved by at most what {@link KeptPose} tells. Up to {@link #SHARE} of the smaller inner
  * radius the same points of the incident solid are the contact still: their separations from the
- * face, and the normal, are those of the present poses. A pair that is apart stays so while it has moved by less
- * than its distance exceeds the margin.
+ * face, and the normal, are those of the present poses. A pair that is apart stays so while it has
+ * moved by less than its distance exceeds the margin.
  *
  * <p>With d the true signed distance when the pair was collided, d' the one now, s and s' the least
  * separations of the points: |d' - d| and |s' - s| are each at most the move, so the reported depth

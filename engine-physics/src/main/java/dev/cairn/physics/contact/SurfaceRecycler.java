@@ -10,8 +10,8 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
  * Renews the contacts of a convex shape on a surface of triangles that has hardly moved since they
- * were found, as {@link PolyhedronRecycler} does for two solids: the pair is kept as a whole, with the pose
- * of the shape seen from the surface in its first row.
+ * were found, as {@link PolyhedronRecycler} does for two solids: the pair is kept as a whole, with
+ * the pose of the shape seen from the surface in its first row.
  *
  * <p>Of each row the normal m is kept, in the surface's axes, and of each point its place p on the
  * shape and its height b along m. With the shape's centre e now, seen from the surface,

@@ -8,9 +8,9 @@ import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Sphere;
-import dev.cairn.physics.sweep.TimeOfImpact;
 import dev.cairn.physics.sweep.Flight;
 import dev.cairn.physics.sweep.FreeRotationPath;
+import dev.cairn.physics.sweep.TimeOfImpact;
 
 /**
  * Two colliders along the motion of a tick: each body's centre on its parabola, turning about it
@@ -482,7 +482,8 @@ final class SweptPair implements MovingPair {
             f.tumbles(free, step);
         }
         double most = MOST_DOUBT * colliders.innerRadius[slot];
-        double doubt = isDynamic ? FreeRotationPath.doubt(s, body, step, colliders.outerRadius[slot]) : 0;
+        double doubt =
+                isDynamic ? FreeRotationPath.doubt(s, body, step, colliders.outerRadius[slot]) : 0;
         return Math.min(doubt, most);
     }
 

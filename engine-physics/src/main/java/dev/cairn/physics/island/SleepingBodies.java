@@ -62,7 +62,8 @@ public final class SleepingBodies {
      * @param bodies whose kinds change
      * @param edges the links: contacts, and other kinds of constraints
      */
-    public SleepingBodies(boolean enabled, double sleepSeconds, BodyStore bodies, EdgeSource... edges) {
+    public SleepingBodies(
+            boolean enabled, double sleepSeconds, BodyStore bodies, EdgeSource... edges) {
         this.bodies = bodies;
         this.edges = edges;
         this.enabled = enabled;

@@ -71,7 +71,8 @@ public final class ShapeQueries {
     }
 
     private double convexDistance(Placement a, Placement b) {
-        return narrowPhase().distance(
+        NarrowPhase pairs = narrowPhase();
+        return pairs.distance(
                 a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, b.x - a.x,
                 b.y - a.y, b.z - a.z);
     }
@@ -107,8 +108,9 @@ public final class ShapeQueries {
             out.swap();
             return d;
         }
+        NarrowPhase pairs = narrowPhase();
         double d =
-                narrowPhase().closest(
+                pairs.closest(
                         a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, b.x - a.x,
                         b.y - a.y, b.z - a.z, manifold);
         double half = d / 2;
@@ -344,12 +346,13 @@ public final class ShapeQueries {
         double startX = mover.x;
         double startY = mover.y;
         double startZ = mover.z;
+        NarrowPhase pairs = narrowPhase();
         double t = 0;
         for (int step = 0; ; step++) {
             double s = convexDistance(mover, target);
-            double nx = narrowPhase().axisX();
-            double ny = narrowPhase().axisY();
-            double nz = narrowPhase().axisZ();
+            double nx = pairs.axisX();
+            double ny = pairs.axisY();
+            double nz = pairs.axisZ();
             // What the coordinates can tell apart.
             double reach =
                     Math.abs(mover.x - target.x)
@@ -390,8 +393,9 @@ public final class ShapeQueries {
             out.pointZ = mover.z;
             return;
         }
+        NarrowPhase pairs = narrowPhase();
         double d =
-                narrowPhase().closest(
+                pairs.closest(
                         mover.shape,
                         target.shape,
                         mover.qx,

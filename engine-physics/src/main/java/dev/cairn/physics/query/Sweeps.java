@@ -7,8 +7,8 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.mesh.TriangleSet;
-import dev.cairn.physics.sweep.TimeOfImpact;
 import dev.cairn.physics.sweep.Flight;
+import dev.cairn.physics.sweep.TimeOfImpact;
 
 /**
  * The first meeting of two shapes that move and turn. Of a surface of triangles it is that of the

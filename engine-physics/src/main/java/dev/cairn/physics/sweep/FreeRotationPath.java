@@ -2,8 +2,8 @@ package dev.cairn.physics.sweep;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Rotations;
-import dev.cairn.physics.solver.body.PrincipalAxes;
 import dev.cairn.physics.solver.body.FreeRotation;
+import dev.cairn.physics.solver.body.PrincipalAxes;
 
 /**
  * How a body that nothing turns lies at any time of a tick: by {@link FreeRotation}, so that its

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.internal.BodyStore;
-import dev.cairn.physics.solver.body.PrincipalAxes;
 import dev.cairn.physics.solver.body.FreeRotation;
+import dev.cairn.physics.solver.body.PrincipalAxes;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;

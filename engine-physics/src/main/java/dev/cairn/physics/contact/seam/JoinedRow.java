@@ -144,6 +144,7 @@ final class JoinedRow {
 
     /** The contact of M with the plane of a member, as of the row to be. */
     private long collide(int leader, long key) {
+        NarrowPhase pairs = narrowPhase();
         Poses s = colliders.poses;
         int i = 3 * leader;
         double x = members.normal[i];
@@ -167,7 +168,7 @@ final class JoinedRow {
         double qz = s.orientationZ[members.m];
         double qw = s.orientationW[members.m];
         if (!isSecond) {
-            return narrowPhase().collide(
+            return pairs.collide(
                     colliders.shape[members.m],
                     PLANE,
                     qx,
@@ -186,7 +187,7 @@ final class JoinedRow {
                     manifold);
         }
         long next =
-                narrowPhase().collide(
+                pairs.collide(
                         PLANE,
                         colliders.shape[members.m],
                         px,

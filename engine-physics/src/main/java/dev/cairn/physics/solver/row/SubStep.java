@@ -64,7 +64,8 @@ public final class SubStep {
     /**
      * Sets what follows from the length of the tick and the settings.
      *
-     * @param softSeconds length of the sub-step that the softness goes by, see {@link SoftnessStep}, s
+     * @param softSeconds length of the sub-step that the softness goes by, see {@link
+     *     SoftnessStep}, s
      */
     public void set(double stepSeconds, double softSeconds, Tuning settings) {
         count = settings.count(Tunable.SUBSTEPS);

@@ -9,12 +9,12 @@ import static dev.cairn.physics.solver.row.ConstraintRows.*;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.solver.body.AxisLocks;
+import dev.cairn.physics.solver.body.FreeRotation;
 import dev.cairn.physics.solver.body.MotionRecord;
 import dev.cairn.physics.solver.body.PrincipalAxes;
 import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
-import dev.cairn.physics.solver.body.FreeRotation;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.RollingRows;
