@@ -300,8 +300,8 @@ final class BodyAccess {
     }
 
     /**
-     * What pushes a wall in vain is a mistake: of another body, or of its type. Who pushes a body
-     * that the world has stopped made none; that is told by {@code quarantined()}.
+     * To push a wall is a mistake: the wrong body, or the wrong type. To push a body that the world
+     * has stopped is none; that is told by {@code quarantined()}.
      */
     void needsDynamic(int s, String call) {
         if (type(s) != BodyType.DYNAMIC && !table.isQuarantined(s)) {
@@ -317,7 +317,7 @@ final class BodyAccess {
         }
     }
 
-    /** Poses that somebody set in the ECS, by a command or between steps, are teleports. */
+    /** Poses that were set in the ECS, by a command or between steps, are teleports. */
     void takePoses() {
         World ecs = table.world();
         for (int i = 0; i < ecs.setCount(); i++) {

@@ -124,7 +124,7 @@ final class BodyChanges {
         bodies.restTicks[s] = 0;
     }
 
-    /** The body, and whoever has a contact with it, which may be asleep on a fixed one. */
+    /** The body, and those that have a contact with it, which may be asleep on a fixed one. */
     void wakeAround(int s) {
         table.sleepers.wake(s);
         ContactStore rows = table.contacts;

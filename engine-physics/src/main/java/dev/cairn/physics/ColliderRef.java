@@ -126,7 +126,7 @@ public final class ColliderRef {
     }
 
     /**
-     * Whom it collides with.
+     * What it collides with.
      *
      * @return the filter
      */

@@ -58,7 +58,7 @@ public interface ContactListener {
     default void bodiesHit(Contacts.Hits hits, int hit) {}
 
     /**
-     * Somebody has left a sensor, or one of the two is gone. Each had entered.
+     * A collider has left a sensor, or one of the two is gone. Each had entered.
      *
      * @param sensor the sensor
      * @param visitor the body that was in it
@@ -66,7 +66,7 @@ public interface ContactListener {
     default void left(ColliderRef sensor, ColliderRef visitor) {}
 
     /**
-     * Somebody has entered a sensor.
+     * A collider has entered a sensor.
      *
      * @param sensor the sensor
      * @param visitor the body that is in it, or flew through it within the step

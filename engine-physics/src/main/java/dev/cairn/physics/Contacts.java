@@ -161,8 +161,8 @@ public interface Contacts {
     Events entered();
 
     /**
-     * Who left a sensor in the last step, or was removed before it, as the sensor may have been.
-     * Each had entered before. {@code A} is the sensor, {@code B} the body that left.
+     * Visitors that left a sensor in the last step, or were removed before it, as the sensor may
+     * have been. Each had entered before. {@code A} is the sensor, {@code B} the body that left.
      *
      * @return the same view each time
      */

@@ -15,7 +15,7 @@ import java.util.Arrays;
  * balanced tree.
  *
  * <p>A part of the tree may be <em>closed</em>, see {@link ClosedTrees}: to insertions and
- * rotations outside it is a leaf. Who looks for leaves walks through it as through any other part.
+ * rotations outside it is a leaf. A search for leaves walks through it as through any other part.
  *
  * <p>One thread changes it; any number may read it between changes. Allocates only when it grows.
  */

@@ -133,7 +133,7 @@ public final class BroadPhase {
 
     /**
      * All shapes of a body have the boxes that they shall have; after {@link #place} of any of
-     * them, and before anybody looks.
+     * them, and before any search.
      */
     public void settle(int body) {
         int first = filter.colliders.bodies.collider[body];
@@ -177,7 +177,7 @@ public final class BroadPhase {
      * Whether the filters admit two slots as a pair; asks the user too, so on the simulation thread
      * and in a fixed order.
      *
-     * @return true while nobody refuses
+     * @return true unless a filter refuses the pair
      */
     public boolean admits(int a, int b) {
         return !filter.active || filter.isPair(a, b);

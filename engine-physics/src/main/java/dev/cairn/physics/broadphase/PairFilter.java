@@ -11,7 +11,7 @@ import java.util.Arrays;
 
 /**
  * Which pairs of colliders whose boxes overlap become pairs: the one place where that is said,
- * before a pair gets a row. While {@link #active} is false all do, and nobody asks.
+ * before a pair gets a row. While {@link #active} is false all do, without being asked.
  *
  * <p>A pair is refused if it is of one body, or of two sensors, of two bodies that were taken
  * {@link #apart}, if the two filters do not meet, or if the user's test says so. Changes are made

@@ -3,8 +3,8 @@ package dev.cairn.physics.collider;
 import dev.cairn.core.state.StateCodec;
 
 /**
- * Who a collider meets. Two of them collide if each one's mask has a bit of the other's category,
- * unless both are of one group. Immutable; any thread.
+ * Which others a collider meets. Two of them collide if each one's mask has a bit of the other's
+ * category, unless both are of one group. Immutable; any thread.
  *
  * @param category what the collider is: bits, most often one, see {@link Layers}
  * @param mask what it collides with: bits of categories

@@ -229,7 +229,7 @@ public final class ContactRows {
         }
     }
 
-    /** Whoever touches a fixed body that was moved wakes. */
+    /** Bodies that touch a fixed body that was moved wake. */
     private void wakeMoved() {
         ContactStore c = contacts;
         for (int row = 0; sleepers.asleepCount() > 0 && row < c.count; row++) {

@@ -107,7 +107,7 @@ public final class SweepStage {
 
     private SweptPair[] pairs = {};
 
-    /** Once anybody was fast. */
+    /** Once a body was fast. */
     private @Nullable ImpactStage impacts;
 
     private boolean any;
@@ -192,7 +192,7 @@ public final class SweepStage {
         jobs.run(dropJob, blocks);
     }
 
-    /** Who is bound by more than contacts does not move freely. */
+    /** A body that is bound by more than contacts does not move freely. */
     private void bindOthers(int slots) {
         BodyStore s = colliders.bodies;
         for (int i = 0; i < slots; i++) {

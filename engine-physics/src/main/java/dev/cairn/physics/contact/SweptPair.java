@@ -57,7 +57,7 @@ final class SweptPair implements MovingPair {
     /** Of the smaller inner radius: points that far apart are of the meeting. */
     private static final double THERE = 0.02;
 
-    /** Who is turned, seen from far away. */
+    /** The body that is turned, seen from far away. */
     private static final Sphere POINT = Sphere.of(0x1p-90);
 
     private final ColliderStore colliders;

@@ -322,7 +322,7 @@ final class TunnellingGuard {
                 && colliders.outerRadius[part] > colliders.outerRadius[other];
     }
 
-    /** Who has left its box meets what is in no pair with it. */
+    /** A body that has left its box meets others that are in no pair with it. */
     private void guardStruck(int block, BroadPhase broadPhase) {
         int end = Blocks.end(block, BODIES_PER_BLOCK, dynamicCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {

@@ -44,7 +44,7 @@ public final class ColliderStore implements Stateful {
     /** Its geometry is about the collider's centre. */
     public Shape[] shape = {};
 
-    /** Whom it collides with. */
+    /** What it collides with. */
     public Filter[] filter = {};
 
     /** What the shape's surface is made of, see {@link Surface}. */
@@ -255,7 +255,7 @@ public final class ColliderStore implements Stateful {
     }
 
     /**
-     * Who is solved for a collider.
+     * What is solved for a collider.
      *
      * @param collider its slot
      * @return the whole that it is a part of, or itself

@@ -113,9 +113,7 @@ public class ContactColumns {
     /** How fast the two approached before they touched, m/s. */
     public double[] approach = {};
 
-    /**
-     * Whether anybody fell asleep beside one that moves; until then nothing is in {@link #lean}.
-     */
+    /** Whether a body fell asleep beside one that moves; until then nothing is in {@link #lean}. */
     public boolean leans;
 
     /**

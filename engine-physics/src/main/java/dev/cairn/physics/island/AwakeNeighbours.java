@@ -36,7 +36,7 @@ public final class AwakeNeighbours {
     }
 
     /**
-     * Somebody fell asleep beside a body that moves.
+     * A body fell asleep beside one that moves.
      *
      * @param mover slot of that body
      */
@@ -61,7 +61,7 @@ public final class AwakeNeighbours {
         return Math.sqrt(x * x + y * y + z * z);
     }
 
-    /** Who wakes beside a body that moves is put to the test anew. */
+    /** A body that wakes beside one that moves is put to the test anew. */
     public void forget(int mover) {
         leanAt[3 * mover] = Double.NaN;
     }

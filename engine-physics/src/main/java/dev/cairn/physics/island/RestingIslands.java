@@ -55,7 +55,7 @@ final class RestingIslands {
      *
      * @param awake slots of the awake bodies, ascending
      * @param count how many there are
-     * @param besideSleepers whether anybody sleeps
+     * @param besideSleepers whether any body sleeps
      */
     void find(int[] awake, int count, boolean besideSleepers) {
         islands.build(bodies, edges, awake, count);

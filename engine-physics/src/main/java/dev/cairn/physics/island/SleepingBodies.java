@@ -55,7 +55,7 @@ public final class SleepingBodies {
     private int ticksToLook;
 
     /**
-     * Nobody sleeps yet.
+     * No body sleeps yet.
      *
      * @param enabled whether bodies sleep
      * @param sleepSeconds time of quiet before, s
@@ -180,7 +180,7 @@ public final class SleepingBodies {
     }
 
     /**
-     * Who fell asleep or woke, for events.
+     * The bodies that fell asleep or woke, for events.
      *
      * @return the changes since they were told
      */

@@ -285,7 +285,7 @@ public abstract sealed class JointKinds permits Joint {
     /**
      * A path: a point of B slides on a curve that is fixed to A, as a bead on a wire, and B turns
      * as it likes. The curve is the smooth one through the points (a cubic spline); two points are
-     * a straight wire. Its ends are limits, as long as nobody says others.
+     * a straight wire. Its ends are limits, unless others are given.
      *
      * @param a carries the curve
      * @param b slides on it, by the point {@link Joint#at}, or its centre of mass if none is given;

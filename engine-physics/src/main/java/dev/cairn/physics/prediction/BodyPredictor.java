@@ -62,7 +62,7 @@ public final class BodyPredictor implements StateColumns.Predictor {
         return Arrays.copyOf(rows, count);
     }
 
-    /** Who has moved up where another entity has left. */
+    /** The entity that has moved up where another one has left. */
     private static void entities(StateColumns before, StateColumns after, boolean[] changed) {
         EntityColumns a = new EntityColumns(before);
         EntityColumns b = new EntityColumns(after);

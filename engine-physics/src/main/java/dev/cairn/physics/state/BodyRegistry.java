@@ -21,8 +21,8 @@ import org.jspecify.annotations.Nullable;
 import java.util.Arrays;
 
 /**
- * Who is in the world: slots and their entities, lists of those that move, and what the kernels of
- * the step do not need.
+ * The bodies of the world: slots and their entities, lists of those that move, and what the kernels
+ * of the step do not need.
  *
  * <p>A slot is free, or in use, or gone: its entity was found dead at the start of a tick, and its
  * rows leave in that tick; then it is free. Free slots are used again last freed first, which is

@@ -89,7 +89,8 @@ public final class StageCheck {
                     && bodies.kind[c.bodyB[row]] != BodyStore.DYNAMIC
                     && !broadPhase.moved(c.colliderA[row])
                     && !broadPhase.moved(c.colliderB[row])) {
-                throw new AssertionError("row " + row + " is active, and nobody of it is awake");
+                throw new AssertionError(
+                        "row " + row + " is active, and neither of its bodies is awake");
             }
         }
         return true;

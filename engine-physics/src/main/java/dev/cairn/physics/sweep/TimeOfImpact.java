@@ -145,8 +145,8 @@ public final class TimeOfImpact {
     }
 
     /**
-     * Whether two that are apart overlap at a later time: then they meet before it, and whoever
-     * need not know when needs no search; see {@link #of}.
+     * Whether two that are apart overlap at a later time: then they meet before it, and a caller
+     * that need not know when needs no search; see {@link #of}.
      *
      * @param later s
      */

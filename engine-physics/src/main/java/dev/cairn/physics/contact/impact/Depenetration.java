@@ -38,7 +38,7 @@ public final class Depenetration {
 
     private boolean any;
 
-    /** Who hangs together by joints. */
+    /** Bodies that hang together by joints. */
     private final Islands ties = new Islands();
 
     // the tick in work

@@ -96,7 +96,7 @@ public final class ImpactStage {
         }
     }
 
-    /** Nobody meets in this tick. */
+    /** No bodies meet in this tick. */
     public void skip() {
         bodies.count = 0;
         results.clear();
@@ -346,7 +346,7 @@ public final class ImpactStage {
     }
 
     /**
-     * Two that strike each other more often than anybody can follow lose the rest of the tick: they
+     * Two that strike each other more often than can be followed lose the rest of the tick: they
      * lie as they do, and go on with their common centre of mass. So what is between them stays,
      * and with it the angular momentum {@code r x m u} of their relative motion. Of two of which
      * only one may be stopped, that one stays where it is and goes along with the other.

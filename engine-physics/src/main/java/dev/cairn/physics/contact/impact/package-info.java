@@ -16,8 +16,8 @@
  * </pre>
  *
  * <p>A change of velocity dv at the time t is the same way as a change now and a shift of the start
- * by -t dv, so the solver flies the whole tick, and no time is lost. Who stays in touch is left to
- * the solver, with the contact of that moment.
+ * by -t dv, so the solver flies the whole tick, and no time is lost. A body that stays in touch is
+ * left to the solver, with the contact of that moment.
  *
  * <p>Invariants: impacts are struck in the order of their times, then of colliders, on one thread;
  * an impact changes no momentum and adds no energy. A tick in which nothing fast meets does not

@@ -32,7 +32,8 @@ abstract class HoldingRows extends AssemblyEquations {
     int changes;
 
     /**
-     * Who holds at first: limits as they were, motors and springs unless they were at their most.
+     * Which rows hold at first: limits as they were, motors and springs unless they were at their
+     * most.
      */
     void activate(boolean moves) {
         for (int k = 0; k < s.joint.length; k++) {

@@ -35,7 +35,8 @@ public final class RowArithmetic {
 
     /**
      * Radius of the patch of a row, m; 0 without friction, since then only a group of lanes that
-     * holds a row with friction knows it, and the result must not hang on who else is in the group.
+     * holds a row with friction knows it, and the result must not hang on what else is in the
+     * group.
      */
     public static double reach(double[] d, int o, int lanes, int points) {
         double radius = 0;

@@ -97,7 +97,7 @@ public final class ScalarSweep implements ScalarPasses {
             int b = link[l + 1];
             ScalarNormals.separate(d, o, lanes, body, a, b, n);
             // a contact without a warm start, or with that of an impact, has its normals and its
-            // friction still to agree on who stops what
+            // friction still to agree on what each of them stops
             boolean cold = d[o + COLD * lanes] > 0;
             boolean moved = hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, HARD, st);
             if (cold && moved) {

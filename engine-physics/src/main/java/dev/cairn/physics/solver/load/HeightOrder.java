@@ -13,7 +13,7 @@ import java.util.Arrays;
  * thread; allocates only when a store has grown.
  */
 final class HeightOrder {
-    /** Along the loads, m; by slot, from whoever measures. */
+    /** Along the loads, m; by slot, as the caller measures it. */
     double[] height = {};
 
     /** Slots in their order, and how many there are. */

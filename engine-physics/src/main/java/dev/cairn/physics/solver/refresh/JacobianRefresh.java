@@ -37,10 +37,10 @@ import java.util.Arrays;
  * tangents stay those of the tick's start; so two bodies that bounce keep their own points, else
  * balls would leave an impact with a spin, and a gas of them lose its energy.
  *
- * <p>Who is slower than 0.045 of {@code sqrt(g r)} (0.1 m/s for a cube of 1 m) is left alone, so
- * that what rests or creeps pays one comparison a row; without gravity all that moves is renewed. A
- * row keeps its impulses and totals; its share in the warm start is taken out before and put in
- * after, by colour, so that the result does not depend on the workers.
+ * <p>A body that is slower than 0.045 of {@code sqrt(g r)} (0.1 m/s for a cube of 1 m) is left
+ * alone, so that what rests or creeps pays one comparison a row; without gravity all that moves is
+ * renewed. A row keeps its impulses and totals; its share in the warm start is taken out before and
+ * put in after, by colour, so that the result does not depend on the workers.
  */
 public final class JacobianRefresh {
     /** Speed over {@code sqrt(g r)} up to which levers may age by a tick. */
