@@ -172,6 +172,9 @@ public final class BodyStore extends Poses implements Stateful {
     /** Of each collider what {@link Surface#revolution} tells. */
     public double[] revolution = {};
 
+    /** Whether a collider has had a surface without corners: its points go with an axis. */
+    public boolean curved;
+
     private final Columns.Kept kept = new Columns.Kept();
 
     /**
@@ -250,6 +253,7 @@ public final class BodyStore extends Poses implements Stateful {
         driven = s.value("driven", driven);
         belts = s.value("belts", belts);
         isFar = s.value("isFar", isFar);
+        curved = s.value("curved", curved);
         ensureCapacity(slotCount);
         columns(kept.of(s, slotCount, kind.length, false));
     }

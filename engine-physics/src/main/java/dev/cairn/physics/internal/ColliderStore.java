@@ -315,6 +315,7 @@ public final class ColliderStore implements Stateful {
         surface[collider] = Surface.of(solid);
         Surface.revolution(solid, bodies.revolution, BodyStore.REVOLUTION * collider);
         surfaces |= Surface.isMeshed(solid);
+        bodies.curved |= surface[collider] != Surface.CORNERED;
         innerRadius[collider] = solid.innerRadius();
         outerRadius[collider] = solid.outerRadius();
     }

@@ -8,7 +8,11 @@ import java.util.Arrays;
 public final class MassOverrides {
     private static final int STRIDE = 10;
 
+    /** Empty until a body is given something. */
     private double[] numbers = {};
+
+    private int slots;
+    private boolean isUsed;
 
     /** Of no body. */
     public MassOverrides() {}
@@ -19,8 +23,9 @@ public final class MassOverrides {
      * @param wanted slots of bodies
      */
     public void ensureSlots(int wanted) {
-        if (numbers.length < STRIDE * wanted) {
-            numbers = Arrays.copyOf(numbers, STRIDE * wanted);
+        slots = Math.max(slots, wanted);
+        if (isUsed && numbers.length < STRIDE * slots) {
+            numbers = Arrays.copyOf(numbers, STRIDE * slots);
         }
     }
 
@@ -31,6 +36,9 @@ public final class MassOverrides {
      * @return what was {@link #set}
      */
     public MassOverride get(int body) {
+        if (!isUsed) {
+            return MassOverride.NONE;
+        }
         double[] n = numbers;
         int k = STRIDE * body;
         return new MassOverride(
@@ -45,6 +53,16 @@ public final class MassOverrides {
      * @param m all of it
      */
     public void set(int body, MassOverride m) {
+        if (!isUsed) {
+            if (m.equals(MassOverride.NONE)) {
+                return;
+            }
+            isUsed = true;
+            ensureSlots(slots);
+            for (int i = 0; i < slots; i++) {
+                set(i, MassOverride.NONE);
+            }
+        }
         int k = STRIDE * body;
         numbers[k] = m.kilograms();
         numbers[k + 1] = m.xx();
@@ -62,10 +80,12 @@ public final class MassOverrides {
      * Saves or restores all.
      *
      * @param s saves or restores
-     * @param slots in use
+     * @param count slots in use
      */
-    public void state(StateVisitor s, int slots) {
-        s.section("givenMasses", this);
-        numbers = s.array("numbers", numbers, STRIDE * slots);
+    public void state(StateVisitor s, int count) {
+        s.section("massOverrides", this);
+        isUsed = s.value("isUsed", isUsed);
+        numbers = s.array("numbers", numbers, isUsed ? STRIDE * count : 0);
+        ensureSlots(count);
     }
 }

@@ -88,7 +88,7 @@ final class Passes {
 
     void ensureCapacity(int slots) {
         refresh.ensureCapacity(slots);
-        refresh.ensurePlaces(rows);
+        refresh.ensurePlaces(rows, tick.bodies.curved);
         cores.ensurePlaces(rows.settleMark.length);
         for (int k = 0; k < sides.count(); k++) {
             refresh.keep(sides.slot(k));

@@ -57,7 +57,7 @@ class JacobianRefreshTest {
         rows.ensurePlaces(1);
         rows.link[ConstraintRows.BODY_B] = SolverBodies.offset(box);
         rows.link[ConstraintRows.COUNT] = 4;
-        renewal.ensurePlaces(rows);
+        renewal.ensurePlaces(rows, true);
         renewal.look(s.bodies, box, 9.81, 1 / 60.0, false);
         boolean any = renewal.find(rows, s.contacts, s.bodies, 9.81, 0, 1);
         assertEquals(any, renewal.hasRenewedRow(box));

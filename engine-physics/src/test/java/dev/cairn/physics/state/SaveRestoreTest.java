@@ -69,6 +69,36 @@ class SaveRestoreTest {
         return digests;
     }
 
+    /** A mass that was given stays when the shape changes; one that was not follows the shape. */
+    @Test
+    void whichMassesWereGiven() {
+        try (PhysicsWorld world = world();
+                PhysicsWorld other = world()) {
+            BodyRef first = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 1, 0));
+            BodyRef last = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(4, 1, 0));
+            WorldState none = world.save();
+            double own = first.mass();
+            last.setMass(7);
+            WorldState given = world.save();
+            first.setShape(Box.cubeOfHalfExtent(1));
+            last.setShape(Box.cubeOfHalfExtent(1));
+            assertEquals(8 * own, first.mass(), 1e-9 * own);
+            assertEquals(7, last.mass());
+            world.restore(none);
+            last.setShape(Box.cubeOfHalfExtent(1));
+            assertEquals(8 * own, last.mass(), 1e-9 * own, "it was not given in that state");
+            world.restore(given);
+            first.setShape(Box.cubeOfHalfExtent(1));
+            last.setShape(Box.cubeOfHalfExtent(1));
+            assertEquals(8 * own, first.mass(), 1e-9 * own);
+            assertEquals(7, last.mass(), "it was given in that state");
+            other.restore(given);
+            BodyRef copy = other.bodies().get(2);
+            copy.setShape(Box.cubeOfHalfExtent(1));
+            assertEquals(7, copy.mass(), "in another world too");
+        }
+    }
+
     /** Saves now; whatever is done then, the future is what it was, here and in another world. */
     private static void holds(PhysicsWorld world, int ticks, Runnable meddling) {
         WorldState state = world.save();

@@ -128,12 +128,20 @@ public final class JacobianRefresh {
         hasRenewedRow[slot] = false;
     }
 
-    public void ensurePlaces(ConstraintRows rows) {
+    /**
+     * Makes room for the rows of a tick.
+     *
+     * @param curved whether points of any may go with an axis
+     */
+    public void ensurePlaces(ConstraintRows rows, boolean curved) {
         if (renewed.length < rows.settleMark.length) {
             // With the rows, so that a scene that gets wilder later allocates nothing.
             renewed = new int[rows.settleMark.length];
             kept = new double[rows.settleMark.length * KEPT];
-            rounds = new double[rows.settleMark.length * 2 * RoundTurn.NUMBERS];
+        }
+        int wanted = curved ? renewed.length * 2 * RoundTurn.NUMBERS : 0;
+        if (rounds.length < wanted) {
+            rounds = new double[wanted];
         }
     }
 
