@@ -39,6 +39,7 @@ final class SolverScene {
     }
 
     SolverScene(ContactSolver solver, Jobs jobs) {
+        bodies.curved = true; // contacts here have no shapes that would tell
         this.solver = solver;
         this.jobs = jobs;
     }
