@@ -391,10 +391,11 @@ public abstract class Application {
      * Takes the next key, mouse button but the left one, key with Ctrl, or step of the wheel over
      * no panel, in place of what it is bound to: for "press a key" in a dialog. Any thread.
      *
-     * @param taker called once on the window's thread; gets null if Escape was pressed
+     * @param taker called once on the window's thread; gets null if Escape was pressed; null in its
+     *     place ends the wait
      */
-    public final void captureTrigger(Consumer<@Nullable Trigger> taker) {
-        wishes.capture(Objects.requireNonNull(taker, "taker"));
+    public final void captureTrigger(@Nullable Consumer<@Nullable Trigger> taker) {
+        wishes.capture(taker);
     }
 
     /**

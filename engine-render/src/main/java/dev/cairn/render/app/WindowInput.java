@@ -21,8 +21,10 @@ import static org.lwjgl.glfw.GLFW.glfwSetWindowFocusCallback;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Chord;
+import dev.cairn.render.input.Held;
 import dev.cairn.render.input.Key;
 import dev.cairn.render.input.MouseButton;
+import dev.cairn.render.input.MouseMove;
 import dev.cairn.render.input.Pointer;
 import dev.cairn.render.input.Trigger;
 import dev.cairn.render.input.Wheel;
@@ -63,7 +65,11 @@ final class WindowInput {
 
     private static final double FAST_FACTOR = 5;
     private static final double TURN_RADIANS_PER_SECOND = 1.2;
-    private static final double LOOK_RADIANS_PER_PIXEL = 0.0025;
+
+    /** As fast as by the functions that turn, bound to the ways of the mouse. */
+    private static final double LOOK_RADIANS_PER_PIXEL =
+            TURN_RADIANS_PER_SECOND * Held.SECONDS_PER_STEP / MouseMove.POINTS_PER_STEP;
+
     private static final int SHIFT = 1;
     private static final int CONTROL = 2;
     private static final int REPEAT = 2;
@@ -85,7 +91,7 @@ final class WindowInput {
     private final Camera camera;
     private final Bindings bindings;
     private final Pointer pointer = new Pointer();
-    private final EnumSet<Key> held = EnumSet.noneOf(Key.class);
+    private final Held held = new Held();
     private final EnumSet<MouseButton> ofPanels = EnumSet.noneOf(MouseButton.class);
     private final EnumSet<MouseButton> pressedNow = EnumSet.noneOf(MouseButton.class);
     private byte[] kind = new byte[64];
@@ -263,6 +269,7 @@ final class WindowInput {
                 if (panels != null && !captured && panels.wantsMouse()) {
                     panels.input().scrolled(steps);
                 } else if (steps != 0 && !capture(Wheel.of(steps))) {
+                    held.scroll(steps);
                     post(() -> bindings.scroll(steps));
                 }
             }
@@ -273,7 +280,7 @@ final class WindowInput {
             }
             default -> {
                 if (code[i] == 0) {
-                    held.clear();
+                    held.releaseAll();
                     lookButton = false;
                     pointer.releaseAll();
                     post(bindings::releaseAll);
@@ -302,11 +309,11 @@ final class WindowInput {
             whileEditing(key, (mods & CONTROL) != 0, panels);
         }
         if (action == GLFW_RELEASE) {
-            held.remove(key);
+            held.press(key, false);
             post(() -> bindings.release(key));
         } else if (action != REPEAT && !edits) {
             if ((mods & CONTROL) == 0 || controlIsBound()) {
-                held.add(key); // Ctrl+S saves; it does not fly as well.
+                held.press(key, true); // Ctrl+S saves; it does not fly as well.
             }
             post(() -> bindings.press(key));
         }
@@ -321,7 +328,7 @@ final class WindowInput {
             panels.endEditing();
         } else if (isFunction(key)) {
             panels.endEditing();
-            held.add(key);
+            held.press(key, true);
             post(() -> bindings.press(key));
         } else if (control && !OF_FIELDS.contains(key)) {
             Chord chord = new Chord(key);
@@ -377,6 +384,7 @@ final class WindowInput {
         } else if (ofPanels.remove(button)) {
             return;
         }
+        held.press(button, down);
         if (button == MouseButton.RIGHT) {
             lookButton = down;
         }
@@ -422,6 +430,10 @@ final class WindowInput {
         double toX = captured ? 0.5 : cursorX / width;
         double toY = captured ? 0.5 : cursorY / height;
         post(() -> bindings.mouse().move(toX, toY, right, down));
+        if (!captured) {
+            held.move(right, down);
+            post(() -> bindings.move(right, down));
+        }
     }
 
     private void look(double x, double y) {
@@ -435,33 +447,26 @@ final class WindowInput {
         cursorY = y;
     }
 
-    /** Moves the camera by the keys that are held. */
+    /** Moves the camera by what is held, and by how far wheel and mouse have gone. */
     void moveCamera(double seconds) {
-        double metres = seconds * camera.speed() * (isHeld(FAST) ? FAST_FACTOR : 1);
-        double forward = axis(FORWARD, BACK);
-        double right = axis(RIGHT, LEFT);
-        double up = axis(UP, DOWN);
+        double metresPerSecond =
+                camera.speed()
+                        * (held.seconds(bindings, FAST, seconds) > 0 ? FAST_FACTOR : 1);
+        double forward = axis(FORWARD, BACK, seconds);
+        double right = axis(RIGHT, LEFT, seconds);
+        double up = axis(UP, DOWN, seconds);
         if (forward != 0 || right != 0 || up != 0) {
-            camera.fly(forward * metres, right * metres, up * metres);
+            camera.fly(forward * metresPerSecond, right * metresPerSecond, up * metresPerSecond);
         }
-        double yaw = axis(TURN_RIGHT, TURN_LEFT);
-        double pitch = axis(TURN_UP, TURN_DOWN);
+        double yaw = axis(TURN_RIGHT, TURN_LEFT, seconds);
+        double pitch = axis(TURN_UP, TURN_DOWN, seconds);
         if (yaw != 0 || pitch != 0) {
-            double radians = seconds * TURN_RADIANS_PER_SECOND;
-            camera.turn(yaw * radians, pitch * radians);
+            camera.turn(yaw * TURN_RADIANS_PER_SECOND, pitch * TURN_RADIANS_PER_SECOND);
         }
+        held.endFrame();
     }
 
-    private double axis(String positive, String negative) {
-        return (isHeld(positive) ? 1 : 0) - (isHeld(negative) ? 1 : 0);
-    }
-
-    private boolean isHeld(String action) {
-        for (Key key : bindings.keys(action)) {
-            if (held.contains(key)) {
-                return true;
-            }
-        }
-        return false;
+    private double axis(String positive, String negative, double frame) {
+        return held.seconds(bindings, positive, frame) - held.seconds(bindings, negative, frame);
     }
 }

@@ -2,7 +2,6 @@ package dev.cairn.render.input;
 
 import org.jspecify.annotations.Nullable;
 
-import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -10,32 +9,36 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.DoubleConsumer;
-import java.util.stream.Collectors;
 
 /**
- * Which function runs for which key, mouse button or step of the wheel. A function has a name, the
- * <em>action</em>; triggers are bound to actions and can be rebound while the program runs. One
- * trigger fires one action (a later binding takes the trigger away from an earlier one); one action
- * may have several triggers.
+ * Which function runs for which key, mouse button, step of the wheel or move of the mouse. A
+ * function has a name, the <em>action</em>; triggers are bound to actions and can be rebound while
+ * the program runs. One trigger fires one action (a later binding takes the trigger away from an
+ * earlier one); one action may have several triggers.
  *
  * <p>Functions run on the simulation thread, before the tick that follows the press, also while the
  * physics is paused; so they may touch the world freely. Bind and rebind there too (in {@code
  * initScene}, {@code update}, or a bound function), or before the application starts. The look-ups
- * {@link #keys} and {@link #actions} may be called from any thread.
+ * {@link #keys}, {@link #triggers} and {@link #actions} may be called from any thread.
  */
 public final class Bindings {
     private final Map<String, Runnable> functions = new LinkedHashMap<>();
     private final Map<String, DoubleConsumer> scrolls = new LinkedHashMap<>();
     private final Mouse mouse = new Mouse();
-    private final Map<Trigger, String> actionOf = new LinkedHashMap<>();
-    private Map<Trigger, String> defaults = Map.of();
+    private final TriggerTable table = new TriggerTable();
+    private final Steps wheel = new Steps();
+    private final Steps across = new Steps();
+    private final Steps down = new Steps();
+
+    /** The ways that wheel and mouse have gone since the last tick. */
+    private final EnumSet<Wheel> turned = EnumSet.noneOf(Wheel.class);
+    private final EnumSet<MouseMove> moved = EnumSet.noneOf(MouseMove.class);
+
     private final EnumSet<Key> downKeys = EnumSet.noneOf(Key.class);
     private final EnumSet<MouseButton> downButtons = EnumSet.noneOf(MouseButton.class);
     private final EnumSet<Key> pressedKeys = EnumSet.noneOf(Key.class);
     private final EnumSet<MouseButton> pressedButtons = EnumSet.noneOf(MouseButton.class);
     private EnumSet<Key> reserved = EnumSet.noneOf(Key.class);
-    private volatile Map<String, Key[]> keysOfAction = Map.of();
-    private volatile List<Binding> listed = List.of();
 
     /**
      * One action and what triggers it, for a help text.
@@ -96,15 +99,9 @@ public final class Bindings {
 
     private Bindings on(Trigger trigger, String action, Runnable function) {
         functions.put(checkAction(action), Objects.requireNonNull(function, "function"));
-        bind(trigger, action);
+        table.bind(trigger, action);
         refresh();
         return this;
-    }
-
-    /** As the newest of the action's triggers, so that lists show them in the order of binding. */
-    private void bind(Trigger trigger, String action) {
-        actionOf.remove(trigger);
-        actionOf.put(trigger, action);
     }
 
     /**
@@ -177,7 +174,7 @@ public final class Bindings {
         List<Trigger> wanted = List.copyOf(triggers);
         clearTriggers(action);
         for (Trigger trigger : wanted) {
-            bind(trigger, action);
+            table.bind(trigger, action);
         }
         refresh();
         return this;
@@ -190,7 +187,7 @@ public final class Bindings {
      * @return this
      */
     public Bindings keepAsDefaults() {
-        defaults = new LinkedHashMap<>(actionOf);
+        table.keepAsDefaults();
         return this;
     }
 
@@ -200,34 +197,19 @@ public final class Bindings {
      * @return this
      */
     public Bindings reset() {
-        actionOf.clear();
-        defaults.forEach((trigger, action) -> {
-            if (functions.containsKey(action)) {
-                actionOf.put(trigger, action);
-            }
-        });
+        table.reset(functions.keySet());
         refresh();
         return this;
     }
 
     /** The triggers that were kept for an action. */
     List<Trigger> defaultsOf(String action) {
-        return triggersIn(defaults, action);
+        return table.defaultsOf(action);
     }
 
     /** The triggers of an action, reserved ones too. */
     List<Trigger> triggersOf(String action) {
-        return triggersIn(actionOf, action);
-    }
-
-    private static List<Trigger> triggersIn(Map<Trigger, String> map, String action) {
-        List<Trigger> own = new ArrayList<>();
-        map.forEach((trigger, bound) -> {
-            if (bound.equals(action)) {
-                own.add(trigger);
-            }
-        });
-        return own;
+        return table.allOf(action);
     }
 
     /**
@@ -239,7 +221,7 @@ public final class Bindings {
     public Bindings unbind(String action) {
         functions.remove(action);
         scrolls.remove(action);
-        actionOf.values().removeIf(action::equals);
+        table.clear(action);
         refresh();
         return this;
     }
@@ -250,7 +232,7 @@ public final class Bindings {
      * @return an immutable list; any thread
      */
     public List<Binding> actions() {
-        return listed;
+        return table.listed();
     }
 
     /**
@@ -260,11 +242,18 @@ public final class Bindings {
      * @return the keys, empty if it has none; do not change the array; any thread, no allocation
      */
     public Key[] keys(String action) {
-        Key[] keys = keysOfAction.get(action);
-        return keys == null ? NO_KEYS : keys;
+        return table.keys(action);
     }
 
-    private static final Key[] NO_KEYS = {};
+    /**
+     * All triggers of an action.
+     *
+     * @param action its name
+     * @return an immutable list, empty if it has none; any thread, no allocation
+     */
+    public List<Trigger> triggers(String action) {
+        return table.triggers(action);
+    }
 
     /**
      * Whether a key starts or holds an action.
@@ -273,7 +262,7 @@ public final class Bindings {
      * @return true if so; any thread
      */
     public boolean isBound(Key key) {
-        for (Binding binding : listed) {
+        for (Binding binding : actions()) {
             if (binding.triggers().contains(key)) {
                 return true;
             }
@@ -325,6 +314,8 @@ public final class Bindings {
     public void endTick() {
         pressedKeys.clear();
         pressedButtons.clear();
+        turned.clear();
+        moved.clear();
         mouse.endTick();
     }
 
@@ -343,19 +334,20 @@ public final class Bindings {
     }
 
     /**
-     * Whether any trigger of an action is down, as of the tick's input.
+     * Whether any trigger of an action is down, as of the tick's input. A way of the wheel or of
+     * the mouse is so for the tick that follows.
      *
      * @param action its name
      * @return true while one is held; simulation thread
      */
     public boolean isHeld(String action) {
-        for (Key key : downKeys) {
-            if (!reserved.contains(key) && action.equals(actionOf.get(key))) {
-                return true;
-            }
-        }
-        for (MouseButton button : downButtons) {
-            if (action.equals(actionOf.get(button))) {
+        List<Trigger> triggers = triggers(action);
+        for (int i = 0; i < triggers.size(); i++) {
+            Trigger trigger = triggers.get(i);
+            if (downKeys.contains(trigger)
+                    || downButtons.contains(trigger)
+                    || turned.contains(trigger)
+                    || moved.contains(trigger)) {
                 return true;
             }
         }
@@ -374,8 +366,8 @@ public final class Bindings {
         if (!reserved.contains(key)) {
             boolean control =
                     downKeys.contains(Key.LEFT_CONTROL) || downKeys.contains(Key.RIGHT_CONTROL);
-            String chord = control ? actionOf.get(new Chord(key)) : null;
-            run(chord == null ? actionOf.get(key) : chord);
+            String chord = control ? table.actionOf(new Chord(key)) : null;
+            run(chord == null ? table.actionOf(key) : chord);
         }
     }
 
@@ -386,7 +378,7 @@ public final class Bindings {
      * @param chord which
      */
     public void press(Chord chord) {
-        run(actionOf.get(chord));
+        run(table.actionOf(chord));
     }
 
     /**
@@ -407,7 +399,7 @@ public final class Bindings {
     public void press(MouseButton button) {
         downButtons.add(button);
         pressedButtons.add(button);
-        run(actionOf.get(button));
+        run(table.actionOf(button));
     }
 
     /**
@@ -433,13 +425,40 @@ public final class Bindings {
      * @param steps positive away from the user
      */
     public void scroll(double steps) {
-        String action = actionOf.get(Wheel.of(steps));
-        if (action != null) {
-            mouse.turn(steps, () -> run(action));
+        Wheel way = Wheel.of(steps);
+        if (table.actionOf(way) != null) {
+            turned.add(way);
+            run(way, wheel.add(steps));
             return;
         }
         for (DoubleConsumer function : scrolls.values()) {
             function.accept(steps);
+        }
+    }
+
+    /**
+     * What the window does when the mouse moves and does not turn the view. A way that an action is
+     * bound to starts it once for each {@link MouseMove#POINTS_PER_STEP}; {@link Mouse#onMove} is
+     * told by {@link Mouse#move}, whatever is bound.
+     *
+     * @param right how far, points of the screen
+     * @param downwards how far, points of the screen
+     */
+    public void move(double right, double downwards) {
+        go(right > 0 ? MouseMove.RIGHT : MouseMove.LEFT, across, right);
+        go(downwards > 0 ? MouseMove.DOWN : MouseMove.UP, down, downwards);
+    }
+
+    private void go(MouseMove way, Steps counted, double points) {
+        if (points != 0) {
+            moved.add(way);
+            run(way, counted.add(points / MouseMove.POINTS_PER_STEP));
+        }
+    }
+
+    private void run(Trigger way, int steps) {
+        for (int i = 0; i < steps; i++) {
+            run(table.actionOf(way));
         }
     }
 
@@ -458,7 +477,7 @@ public final class Bindings {
                             + "' to rebind; the actions are "
                             + functions.keySet());
         }
-        actionOf.values().removeIf(action::equals);
+        table.clear(action);
     }
 
     private static String checkAction(String action) {
@@ -469,32 +488,11 @@ public final class Bindings {
     }
 
     private void refresh() {
-        Map<String, Key[]> keys = new LinkedHashMap<>();
-        List<Binding> list = new ArrayList<>();
-        for (String action : functions.keySet()) {
-            List<Key> own = new ArrayList<>();
-            List<Trigger> all = new ArrayList<>();
-            actionOf.forEach((trigger, bound) -> {
-                if (!bound.equals(action)) {
-                    return;
-                }
-                if (!(trigger instanceof Key key)) {
-                    all.add(trigger);
-                } else if (!reserved.contains(key)) {
-                    own.add(key);
-                    all.add(key);
-                }
-            });
-            keys.put(action, own.toArray(Key[]::new));
-            String label = all.stream().map(Trigger::label).collect(Collectors.joining(", "));
-            list.add(new Binding(action, all, label));
-        }
-        keysOfAction = keys;
-        listed = List.copyOf(list);
+        table.list(functions.keySet(), reserved);
     }
 
     @Override
     public String toString() {
-        return "Bindings" + listed;
+        return "Bindings" + actions();
     }
 }

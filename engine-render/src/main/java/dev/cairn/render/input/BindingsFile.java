@@ -101,7 +101,7 @@ public final class BindingsFile {
         for (String id : rest.isEmpty() ? new String[0] : rest.split(",", -1)) {
             Trigger trigger = Trigger.parse(id);
             if (trigger == null) {
-                return "\"%s\" is no key, button, wheel or CTRL+key".formatted(id.strip());
+                return "\"%s\" is no key, button, wheel, move or CTRL+key".formatted(id.strip());
             }
             triggers.add(trigger);
         }

@@ -24,18 +24,7 @@ public final class Mouse {
     private double movedRight;
     private double movedDown;
 
-    /** What the wheel has turned and that was no whole step yet; fine wheels tell parts of one. */
-    private double turned;
-
     Mouse() {}
-
-    /** Runs a function for each whole step; what is left waits for the next turn the same way. */
-    void turn(double steps, Runnable function) {
-        turned = steps * turned < 0 ? steps : turned + steps;
-        for (; Math.abs(turned) >= 1; turned -= Math.signum(turned)) {
-            function.run();
-        }
-    }
 
     /** What happens when the mouse moves. */
     @FunctionalInterface

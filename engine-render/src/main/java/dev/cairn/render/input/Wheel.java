@@ -19,6 +19,16 @@ public enum Wheel implements Trigger {
         return steps > 0 ? UP : DOWN;
     }
 
+    /**
+     * How far a turn goes this way.
+     *
+     * @param turned positive away from the user
+     * @return steps; 0 if it goes the other way
+     */
+    public double steps(double turned) {
+        return Math.max(0, this == UP ? turned : -turned);
+    }
+
     @Override
     public String label() {
         return this == UP ? "Wheel up" : "Wheel down";

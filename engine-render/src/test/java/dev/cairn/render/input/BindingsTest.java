@@ -123,6 +123,79 @@ class BindingsTest {
         assertEquals(5, ran.size(), "the key is bound no longer");
     }
 
+    /** Once for each whole step of the way; back and forth is none. */
+    @Test
+    void aWayOfTheMouseIsBoundLikeAKey() {
+        double step = MouseMove.POINTS_PER_STEP;
+        bindings.mouse().onMove("aim", (right, down) -> ran.add("aim"));
+        bindings.onKey(Key.B, "throw", () -> ran.add("throw"))
+                .onKey(Key.E, "rise", () -> ran.add("rise"))
+                .rebind("throw", List.of(MouseMove.RIGHT))
+                .rebind("rise", List.of(MouseMove.UP, Key.E));
+        assertEquals("Mouse up, E", bindings.actions().get(1).label());
+        assertEquals(List.of(MouseMove.UP, Key.E), bindings.triggers("rise"));
+        bindings.move(2 * step, 0);
+        assertEquals(List.of("throw", "throw"), ran);
+        bindings.move(0.75 * step, -step);
+        assertEquals(List.of("throw", "throw", "rise"), ran);
+        for (int shake = 0; shake < 10; shake++) {
+            bindings.move(-0.5 * step, 0.5 * step);
+            bindings.move(0.5 * step, -0.5 * step);
+        }
+        assertEquals(3, ran.size(), "it went nowhere");
+        bindings.move(-3 * step, 3 * step);
+        assertEquals(3, ran.size(), "the other ways are nobody's");
+        bindings.mouse().move(0.5, 0.5, step, step);
+        assertEquals("aim", ran.getLast(), "who asked for each move is told, whatever is bound");
+        bindings.press(Key.E);
+        assertEquals(List.of("aim", "rise"), ran.subList(3, 5));
+    }
+
+    @Test
+    void whatIsHeldIsHeldByWheelAndMouseForOneTick() {
+        bindings.onHold(Key.W, "forward").onHold(Key.S, "back");
+        bindings.rebind("forward", List.of(MouseMove.LEFT, Wheel.UP));
+        bindings.move(-1, 0);
+        assertTrue(bindings.isHeld("forward") && !bindings.isHeld("back"));
+        bindings.endTick();
+        assertFalse(bindings.isHeld("forward"));
+        bindings.scroll(0.1);
+        assertTrue(bindings.isHeld("forward"));
+        bindings.endTick();
+        bindings.move(1, 5);
+        bindings.scroll(-1);
+        assertFalse(bindings.isHeld("forward"), "those are other ways");
+    }
+
+    /** A frame of 20 ms: keys and buttons hold for all of it, steps for a tenth of a second. */
+    @Test
+    void aFrameKnowsForHowLongAnActionIsHeld() {
+        bindings.onHold(Key.W, "forward").onHold(Key.E, "rise").onHold(Key.LEFT, "turn left");
+        bindings.rebind("forward", List.of(Key.W, MouseButton.MIDDLE))
+                .rebind("rise", List.of(Wheel.UP))
+                .rebind("turn left", List.of(MouseMove.LEFT, Key.LEFT));
+        Held held = new Held();
+        held.press(Key.W, true);
+        held.press(MouseButton.MIDDLE, true);
+        held.press(Key.LEFT, true);
+        held.move(-MouseMove.POINTS_PER_STEP, 7);
+        held.move(-MouseMove.POINTS_PER_STEP / 2, 7);
+        held.scroll(2);
+        assertEquals(0.02, held.seconds(bindings, "forward", 0.02), 1e-15, "once, not twice");
+        assertEquals(0.02 + 0.15, held.seconds(bindings, "turn left", 0.02), 1e-15);
+        assertEquals(0.2, held.seconds(bindings, "rise", 0.02), 1e-15);
+        assertEquals(0, held.seconds(bindings, "no such action", 0.02));
+        held.endFrame();
+        held.press(Key.W, false);
+        assertEquals(0.02, held.seconds(bindings, "forward", 0.02), "by the button still");
+        assertEquals(0.02, held.seconds(bindings, "turn left", 0.02));
+        assertEquals(0, held.seconds(bindings, "rise", 0.02));
+        held.move(5, 0);
+        held.releaseAll();
+        assertEquals(0, held.seconds(bindings, "turn left", 0.02), "the other way");
+        assertEquals(0, held.seconds(bindings, "forward", 0.02));
+    }
+
     @Test
     void unknownActionIsNamed() {
         bindings.onKey(Key.P, "pause", () -> {});
@@ -153,12 +226,12 @@ class BindingsTest {
         List<Bindings.Binding> defaults = standard(bindings).actions();
         BindingsFile.save(bindings, file);
         assertFalse(Files.exists(file), "nothing differs");
-        bindings.rebind("pause", List.of(Key.F1, new Chord(Key.P), MouseButton.MIDDLE));
+        bindings.rebind("pause", List.of(Key.F1, new Chord(Key.P), MouseMove.DOWN));
         BindingsFile.save(bindings, file);
         Bindings later = standard(new Bindings());
         assertEquals(List.of(), BindingsFile.load(later, file));
         assertEquals(bindings.actions(), later.actions());
-        assertEquals("F1, Ctrl+P, Middle button", later.actions().get(0).label());
+        assertEquals("F1, Ctrl+P, Mouse down", later.actions().get(0).label());
         assertEquals("", later.actions().get(1).label(), "F1 was taken from it");
         assertEquals(defaults, later.reset().actions());
 
@@ -191,7 +264,11 @@ class BindingsTest {
         for (Wheel way : Wheel.values()) {
             assertSame(way, Trigger.parse(way.id()));
         }
+        for (MouseMove way : MouseMove.values()) {
+            assertSame(way, Trigger.parse(way.id()));
+        }
         assertNull(Trigger.parse("F99"));
+        assertNull(Trigger.parse("MOUSE_MOVE_SIDEWAYS"));
         assertNull(Trigger.parse("CTRL+"));
     }
 }

@@ -2,6 +2,7 @@ package dev.cairn.samples.sandbox;
 
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.BindingsFile;
+import dev.cairn.render.input.MouseMove;
 import dev.cairn.render.input.Trigger;
 import dev.cairn.render.ui.Ui;
 
@@ -13,14 +14,16 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Every action with its keys as a button: press it, then the new key. A key that does something
- * else already is taken from it only after a second click. Window thread; changes are posted.
+ * Every action with its keys as a button: press it, then the new key. A mouse is always moved, so
+ * its ways are buttons below the action that waits. A key that does something else already is taken
+ * from it only after a second click. Window thread; changes are posted.
  */
 final class KeyRows {
     static final String RESET = "All keys as at first";
     static final String TAKE = "Take it";
     static final String LEAVE = "Leave it";
 
+    private static final MouseMove[] WAYS = MouseMove.values();
     private static final String FILE_NAME = "sandbox-keys.txt";
     private static final int PROBLEM = 0xFF7A7A;
 
@@ -75,8 +78,8 @@ final class KeyRows {
 
     void draw(Ui ui) {
         ui.text(
-                "Press a button, then the new key. Ctrl with a key, mouse buttons, and the wheel"
-                        + " over the scene count too.");
+                "Press a button, then a key, Ctrl with a key, a mouse button, the wheel over the"
+                        + " scene, or a move below it.");
         Conflict now = conflict;
         if (now != null) {
             ui.label("Already in use:", PROBLEM);
@@ -99,6 +102,9 @@ final class KeyRows {
                 waiting = binding.action();
                 sandbox.captureTrigger(trigger -> pressed(binding.action(), trigger));
             }
+            if (waits) {
+                offerMoves(ui, binding.action());
+            }
         }
         ui.columns(1);
         if (ui.button(RESET)) {
@@ -107,6 +113,16 @@ final class KeyRows {
                 sandbox.keyBindings().reset();
                 keep();
             });
+        }
+    }
+
+    private void offerMoves(Ui ui, String action) {
+        ui.columns(2);
+        for (MouseMove way : WAYS) {
+            if (ui.button(way.label())) {
+                sandbox.captureTrigger(null);
+                pressed(action, way);
+            }
         }
     }
 

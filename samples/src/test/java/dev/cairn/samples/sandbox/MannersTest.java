@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.render.input.MouseMove;
 import dev.cairn.samples.window.WindowFixture;
 import dev.cairn.samples.window.WindowManager;
 
@@ -34,6 +35,7 @@ class MannersTest extends WindowFixture {
         aDoubleClickHasTheCameraFollow();
         theSpeedReadsAsPeopleSayIt();
         aKeyWithoutANameIsToldAndTakesNothing();
+        aMoveOfTheMouseIsTakenOnlyWhereItIsAskedFor();
         aTakenKeyComesBackByReset();
         try (WindowManager manager = manager()) {
             manager.askToClose();
@@ -170,6 +172,53 @@ class MannersTest extends WindowFixture {
         await("the wheel", seen -> seen.is("sinkKeys", "Wheel_down"));
     }
 
+    private void aMoveOfTheMouseIsTakenOnlyWhereItIsAskedFor()
+            throws IOException, InterruptedException {
+        click("fly right");
+        await("the ways of the mouse", seen -> seen.values().containsKey("Mouse_downX"));
+        moveTo(600, 440);
+        moveTo(600, 200);
+        settle();
+        assertEquals("D", now().values().get("rightKeys"), "moved by accident: " + last);
+        look("key-moves");
+        assertEquals(0, now().number("shortened"), last);
+        click(MouseMove.DOWN.label());
+        await("a move for it", seen -> seen.is("rightKeys", "Mouse_down"));
+        await("that to be kept", seen -> kept("fly right = MOUSE_MOVE_DOWN"));
+        type("key", "p");
+        await("the pause: no key is waited for", seen -> seen.flag("paused"));
+        type("key", "p");
+        await("to go on", seen -> !seen.flag("paused"));
+
+        moveTo(600, 200);
+        settle();
+        Seen left = now();
+        moveTo(600, 440); // five steps of 48 points, a tenth of a second each
+        await("the camera to fly", seen -> seen.number("eyeX") > left.number("eyeX") + 0.1);
+        settle();
+        Seen right = now();
+        moveTo(600, 200);
+        settle();
+        assertEquals(right.number("eyeX"), now().number("eyeX"), 1e-6, "up is nobody's: " + last);
+        type("key", "Tab");
+        settle();
+        type("mousemove_relative", "0", "100");
+        settle();
+        assertEquals(right.number("eyeX"), now().number("eyeX"), 1e-6, "the view's: " + last);
+        type("key", "Tab", "Home");
+        settle();
+
+        click("fly left");
+        settle();
+        click(MouseMove.DOWN.label());
+        await("the conflict", seen -> seen.values().containsKey("Leave_itX"));
+        settle();
+        look("key-move-conflict");
+        assertEquals("Mouse_down", now().values().get("rightKeys"), last);
+        click(KeyRows.LEAVE);
+        settle();
+    }
+
     private void aTakenKeyComesBackByReset() throws IOException, InterruptedException {
         click("sink");
         settle(); // a key that comes before the click is drawn is not for it
@@ -194,7 +243,7 @@ class MannersTest extends WindowFixture {
         assertEquals(0, now().number("shortened"), last);
         click(KeyRows.RESET);
         await("all as at first", seen -> seen.is("sinkKeys", "Q") && seen.is("listKeys", "F1"));
-        await("that to be kept, too", seen -> !kept("sink = F1"));
+        await("that to be kept, too", seen -> !kept("sink = F1") && !kept("MOUSE_MOVE"));
     }
 
     private boolean kept(String line) {

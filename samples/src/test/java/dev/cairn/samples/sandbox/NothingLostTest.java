@@ -33,7 +33,7 @@ class NothingLostTest extends WindowFixture {
     /** What the user has rebound the last time. */
     @Override
     public void prepare() throws IOException {
-        Files.writeString(keys(), "throw a ball = F7, WHEEL_UP\nno such action = A\n");
+        Files.writeString(keys(), "throw a ball = F7, WHEEL_UP\nkeep moment = MOUSE_MOVE_LEFT\nno such action = A\n");
     }
 
     @Test
@@ -97,6 +97,9 @@ class NothingLostTest extends WindowFixture {
         moveTo(512, 340);
         type("click", "4");
         await("a ball by the wheel", seen -> seen.number("bodies") > thrown.number("bodies"));
+        assertEquals(-1, now().number("kept"), "no moment is kept yet: " + last);
+        moveTo(400, 340);
+        await("a moment by the way to the left", seen -> seen.number("kept") >= 0);
         click("Keys");
         await("the keys", seen -> seen.values().containsKey("sinkX"));
         click("sink");

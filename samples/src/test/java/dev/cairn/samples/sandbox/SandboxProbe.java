@@ -8,6 +8,7 @@ import dev.cairn.render.app.View;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
+import dev.cairn.render.input.MouseMove;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.replay.RunFile;
@@ -110,7 +111,7 @@ final class SandboxProbe extends Sandbox {
     private static String places(Ui ui) {
         StringBuilder line = new StringBuilder();
         for (String widget :
-                List.of("boxes", "box", "name", "sink", "Notice", "[1]", "1", "1.5", "2")) {
+                List.of("boxes", "box", "name", "sink", "fly left", "fly right", "Notice", "[1]", "1", "1.5", "2")) {
             line.append(WindowFixture.middle(ui, widget));
         }
         for (String button :
@@ -118,6 +119,7 @@ final class SandboxProbe extends Sandbox {
                         KeyRows.TAKE,
                         KeyRows.LEAVE,
                         KeyRows.RESET,
+                        MouseMove.DOWN.label(),
                         TimePanel.FORGET,
                         SimulationPanel.SMOOTH)) {
             line.append(WindowFixture.middle(ui, button));
@@ -207,7 +209,7 @@ final class SandboxProbe extends Sandbox {
                     + " substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d shortened=%d"
                     + " overlapping=%d oldest=%d newest=%d kept=%d future=%b apart=%.9f"
                     + " sameAgain=%d otherAgain=%d digestTick=%d digest=%016x barX=%.1f barY=%.1f"
-                    + " barWidth=%.1f sinkKeys=%s listKeys=%s followed=%b changes=%d"
+                    + " barWidth=%.1f sinkKeys=%s rightKeys=%s listKeys=%s followed=%b changes=%d"
                     + " rayOff=%.6f%s%n",
                 view.frames(),
                 state.tick,
@@ -250,6 +252,7 @@ final class SandboxProbe extends Sandbox {
                 bar == null ? -1 : bar[1] + bar[3] / 2,
                 bar == null ? -1 : bar[2],
                 keysOf("sink"),
+                keysOf("fly right"),
                 keysOf("list keys"),
                 view.camera().followed() != Camera.NOTHING,
                 ui.changes(),
