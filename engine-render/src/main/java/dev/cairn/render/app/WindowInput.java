@@ -450,8 +450,7 @@ final class WindowInput {
     /** Moves the camera by what is held, and by how far wheel and mouse have gone. */
     void moveCamera(double seconds) {
         double metresPerSecond =
-                camera.speed()
-                        * (held.seconds(bindings, FAST, seconds) > 0 ? FAST_FACTOR : 1);
+                camera.speed() * (held.seconds(bindings, FAST, seconds) > 0 ? FAST_FACTOR : 1);
         double forward = axis(FORWARD, BACK, seconds);
         double right = axis(RIGHT, LEFT, seconds);
         double up = axis(UP, DOWN, seconds);

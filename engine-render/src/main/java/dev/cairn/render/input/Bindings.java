@@ -32,6 +32,7 @@ public final class Bindings {
 
     /** The ways that wheel and mouse have gone since the last tick. */
     private final EnumSet<Wheel> turned = EnumSet.noneOf(Wheel.class);
+
     private final EnumSet<MouseMove> moved = EnumSet.noneOf(MouseMove.class);
 
     private final EnumSet<Key> downKeys = EnumSet.noneOf(Key.class);

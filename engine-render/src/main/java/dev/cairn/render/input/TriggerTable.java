@@ -80,9 +80,7 @@ final class TriggerTable {
         for (String action : actions) {
             List<Trigger> own = new ArrayList<>(allOf(action));
             own.removeIf(trigger -> trigger instanceof Key key && reserved.contains(key));
-            keys.put(
-                    action,
-                    own.stream().filter(Key.class::isInstance).toArray(Key[]::new));
+            keys.put(action, own.stream().filter(Key.class::isInstance).toArray(Key[]::new));
             String label = own.stream().map(Trigger::label).collect(Collectors.joining(", "));
             Bindings.Binding binding = new Bindings.Binding(action, own, label);
             triggers.put(action, binding.triggers());

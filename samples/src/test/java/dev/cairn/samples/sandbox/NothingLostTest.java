@@ -33,7 +33,9 @@ class NothingLostTest extends WindowFixture {
     /** What the user has rebound the last time. */
     @Override
     public void prepare() throws IOException {
-        Files.writeString(keys(), "throw a ball = F7, WHEEL_UP\nkeep moment = MOUSE_MOVE_LEFT\nno such action = A\n");
+        Files.writeString(
+                keys(),
+                "throw a ball = F7, WHEEL_UP\nkeep moment = MOUSE_MOVE_LEFT\nno such action = A\n");
     }
 
     @Test

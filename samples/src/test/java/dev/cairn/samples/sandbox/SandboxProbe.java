@@ -111,7 +111,18 @@ final class SandboxProbe extends Sandbox {
     private static String places(Ui ui) {
         StringBuilder line = new StringBuilder();
         for (String widget :
-                List.of("boxes", "box", "name", "sink", "fly left", "fly right", "Notice", "[1]", "1", "1.5", "2")) {
+                List.of(
+                        "boxes",
+                        "box",
+                        "name",
+                        "sink",
+                        "fly left",
+                        "fly right",
+                        "Notice",
+                        "[1]",
+                        "1",
+                        "1.5",
+                        "2")) {
             line.append(WindowFixture.middle(ui, widget));
         }
         for (String button :
