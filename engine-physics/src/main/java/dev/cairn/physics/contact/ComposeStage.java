@@ -5,6 +5,7 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.PerWorker;
 
 /**
  * Colliders of bodies with several follow their bodies, once a tick, after these have moved; what
@@ -17,7 +18,7 @@ public final class ComposeStage {
 
     private final ColliderStore colliders;
     private final BlockJob job = this::block;
-    private double[][] scratch = {};
+    private final PerWorker<double[]> scratch = new PerWorker<>(() -> new double[3]);
 
     /** Of some colliders. */
     public ComposeStage(ColliderStore colliders) {
@@ -29,9 +30,7 @@ public final class ComposeStage {
         if (colliders.compoundCount == 0) {
             return;
         }
-        if (scratch.length < jobs.workers()) {
-            scratch = new double[jobs.workers()][3];
-        }
+        scratch.ensure(jobs.workers());
         jobs.run(job, Blocks.count(colliders.compoundCount, BODIES_PER_BLOCK));
     }
 
@@ -41,7 +40,7 @@ public final class ComposeStage {
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             int slot = colliders.compound[i];
             if (kind[slot] != BodyStore.FREE && kind[slot] != BodyStore.ASLEEP) {
-                colliders.compose(slot, scratch[worker]);
+                colliders.compose(slot, scratch.of(worker));
             }
         }
     }

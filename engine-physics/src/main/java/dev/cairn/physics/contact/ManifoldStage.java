@@ -6,6 +6,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
+import dev.cairn.physics.internal.PerWorker;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.box.BoxContacts;
 import dev.cairn.physics.narrowphase.hull.PairMemory;
@@ -16,7 +17,6 @@ import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Moved;
 
-import java.util.Arrays;
 
 /**
  * The narrow phase over all active rows, sorted by the kind of pair, in blocks of one kind, one
@@ -45,7 +45,7 @@ public final class ManifoldStage {
     private final PointStore points;
     private final PolyhedronRecycler recycler;
     private final SurfaceStage surfaces;
-    private Scratch[] scratch = {};
+    private final PerWorker<Scratch> scratch = new PerWorker<>(Scratch::new);
 
     private final ColliderStore colliders;
     private ContactStore contacts = new ContactStore();
@@ -115,13 +115,7 @@ public final class ManifoldStage {
     private void collide(ContactStore rows, double stepSeconds, Jobs jobs) {
         contacts = rows;
         reach = stepSeconds * bounds.speculativeTime;
-        if (scratch.length < jobs.workers()) {
-            int old = scratch.length;
-            scratch = Arrays.copyOf(scratch, jobs.workers());
-            for (int w = old; w < scratch.length; w++) {
-                scratch[w] = new Scratch();
-            }
-        }
+        scratch.ensure(jobs.workers());
         points.use(rows);
         recycler.use(rows, stepSeconds);
         if (rows.grouped) {
@@ -141,7 +135,7 @@ public final class ManifoldStage {
     }
 
     private void block(int block, int worker) {
-        Scratch own = scratch[worker];
+        Scratch own = scratch.of(worker);
         int round = kinds.begin(PairKinds.ROUND);
         int others = kinds.begin(PairKinds.OTHERS);
         if (block < boxBlocks) {

@@ -10,11 +10,11 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.Columns;
 import dev.cairn.physics.internal.Poses;
+import dev.cairn.physics.internal.PerWorker;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
 
-import java.util.Arrays;
 
 /**
  * Which bodies are in which sensor. A sensor's pairs are rows of their own, which no solver, island
@@ -38,7 +38,7 @@ public final class SensorStage implements Stateful {
     private final BroadPhase broadPhase;
     private final BlockJob job = this::block;
     private final Columns.Kept kept = new Columns.Kept();
-    private Scratch[] scratch = {};
+    private final PerWorker<Scratch> scratch = new PerWorker<>(Scratch::new);
 
     /** Pairs of a sensor and what its box overlaps. */
     private int count;
@@ -152,13 +152,7 @@ public final class SensorStage implements Stateful {
         if (count == 0) {
             return;
         }
-        if (scratch.length < jobs.workers()) {
-            int old = scratch.length;
-            scratch = Arrays.copyOf(scratch, jobs.workers());
-            for (int w = old; w < scratch.length; w++) {
-                scratch[w] = new Scratch();
-            }
-        }
+        scratch.ensure(jobs.workers());
         jobs.run(job, Blocks.count(count, ROWS_PER_BLOCK));
         for (int row = 0; row < count; row++) {
             boolean now = found[row] == IN;
@@ -179,7 +173,7 @@ public final class SensorStage implements Stateful {
     private void block(int block, int worker) {
         int end = Blocks.end(block, ROWS_PER_BLOCK, count);
         for (int row = Blocks.begin(block, ROWS_PER_BLOCK); row < end; row++) {
-            look(row, scratch[worker]);
+            look(row, scratch.of(worker));
         }
     }
 

@@ -9,6 +9,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.MovedTurn;
 import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.internal.Surface;
+import dev.cairn.physics.internal.PerWorker;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.mesh.ContactList;
 import dev.cairn.physics.narrowphase.mesh.MeshContact;
@@ -70,7 +71,7 @@ final class SurfaceStage {
     private int[] begin = {}, size = {};
 
     private ContactList[] lists = {};
-    private Scratch[] scratch = {};
+    private final PerWorker<Scratch> scratch;
 
     SurfaceStage(
             ColliderStore colliders, BoundsStage bounds, PointStore points, PairGroups groups) {
@@ -78,6 +79,7 @@ final class SurfaceStage {
         this.bounds = bounds;
         this.points = points;
         this.groups = groups;
+        scratch = new PerWorker<>(() -> new Scratch(new SurfaceRecycler(colliders, groups)));
     }
 
     /** Collides the pairs with an active row. */
@@ -102,8 +104,8 @@ final class SurfaceStage {
         groups.chain(rows);
         int blocks = Blocks.count(count, PAIRS_PER_BLOCK);
         prepare(blocks, jobs.workers());
-        for (Scratch own : scratch) {
-            own.recycler.use(rows, step);
+        for (int w = 0; w < scratch.count(); w++) {
+            scratch.of(w).recycler.use(rows, step);
         }
         jobs.run(collideJob, blocks);
         addRows();
@@ -129,13 +131,7 @@ final class SurfaceStage {
         for (ContactList list : lists) {
             list.ensureCapacity(largest);
         }
-        if (scratch.length < workers) {
-            int old = scratch.length;
-            scratch = Arrays.copyOf(scratch, workers);
-            for (int w = old; w < workers; w++) {
-                scratch[w] = new Scratch(new SurfaceRecycler(colliders, groups));
-            }
-        }
+        scratch.ensure(workers);
     }
 
     private void addRows() {
@@ -169,7 +165,7 @@ final class SurfaceStage {
         int end = Blocks.end(block, PAIRS_PER_BLOCK, count);
         for (int i = Blocks.begin(block, PAIRS_PER_BLOCK); i < end; i++) {
             begin[i] = list.count;
-            boolean isKept = !collide(first[i], scratch[worker], list);
+            boolean isKept = !collide(first[i], scratch.of(worker), list);
             size[i] = isKept ? KEPT : list.count - begin[i];
         }
     }
@@ -251,7 +247,7 @@ final class SurfaceStage {
         int end = Blocks.end(block, PAIRS_PER_BLOCK, count);
         for (int i = Blocks.begin(block, PAIRS_PER_BLOCK); i < end; i++) {
             if (size[i] != KEPT) {
-                store(i, lists[block], scratch[worker]);
+                store(i, lists[block], scratch.of(worker));
             }
         }
     }

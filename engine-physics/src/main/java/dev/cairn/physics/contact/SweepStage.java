@@ -9,6 +9,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
+import dev.cairn.physics.internal.PerWorker;
 import dev.cairn.physics.narrowphase.pair.Reach;
 
 import org.jspecify.annotations.Nullable;
@@ -105,7 +106,7 @@ public final class SweepStage {
     /** By body: it has a row that is dropped unless one of its bodies meets another. */
     private boolean[] misses = {};
 
-    private SweptPair[] pairs = {};
+    private final PerWorker<SweptPair> pairs;
 
     /** Once a body was fast. */
     private @Nullable ImpactStage impacts;
@@ -132,6 +133,7 @@ public final class SweepStage {
         this.bounds = bounds;
         this.edges = edges;
         points = new PointStore(colliders);
+        pairs = new PerWorker<>(() -> new SweptPair(colliders, contacts, bounds, points));
         guard = new TunnellingGuard(colliders, contacts, bounds, edges);
     }
 
@@ -171,25 +173,24 @@ public final class SweepStage {
         Arrays.fill(misses, 0, slots, false);
         bindOthers(slots);
         points.use(contacts);
-        if (pairs.length < jobs.workers()) {
-            int old = pairs.length;
-            pairs = Arrays.copyOf(pairs, jobs.workers());
-            for (int w = old; w < pairs.length; w++) {
-                pairs[w] = new SweptPair(colliders, contacts, bounds, points);
-            }
-        }
-        for (SweptPair pair : pairs) {
-            pair.use(bound);
+        pairs.ensure(jobs.workers());
+        for (int w = 0; w < pairs.count(); w++) {
+            pairs.of(w).use(bound);
         }
         if (impacts == null) {
-            SweptPair own = new SweptPair(colliders, contacts, bounds, points);
-            impacts = new ImpactStage(colliders, contacts, own);
+            impacts = newImpacts();
         }
         impacts.begin(bound, step, reach);
         jobs.run(tieJob, blocks);
         jobs.run(sweepJob, blocks);
         jobs.run(closeJob, blocks);
         jobs.run(dropJob, blocks);
+    }
+
+    /** Outside of what runs each tick, see {@link PerWorker}. */
+    private ImpactStage newImpacts() {
+        SweptPair own = new SweptPair(colliders, contacts, bounds, points);
+        return new ImpactStage(colliders, contacts, own);
     }
 
     /** A body that is bound by more than contacts does not move freely. */
@@ -352,7 +353,7 @@ public final class SweepStage {
         if (closing[block] == 0) {
             return;
         }
-        SweptPair pair = pairs[worker];
+        SweptPair pair = pairs.of(worker);
         ImpactStage stage = Objects.requireNonNull(impacts);
         for (int i = begin; i < end; i++) {
             int row = c.active[i];
@@ -372,7 +373,7 @@ public final class SweepStage {
             return;
         }
         ContactStore c = contacts;
-        SweptPair pair = pairs[worker];
+        SweptPair pair = pairs.of(worker);
         ImpactStage stage = Objects.requireNonNull(impacts);
         int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
@@ -403,7 +404,7 @@ public final class SweepStage {
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = c.active[i];
             if (state[i] == OPEN && (isWaiting(c.bodyA[row]) || isWaiting(c.bodyB[row]))) {
-                sweep(i, row, false, pairs[worker]);
+                sweep(i, row, false, pairs.of(worker));
             }
         }
     }

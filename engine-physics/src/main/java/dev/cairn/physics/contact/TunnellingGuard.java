@@ -13,6 +13,7 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Poses;
+import dev.cairn.physics.internal.PerWorker;
 import dev.cairn.physics.narrowphase.pair.Reach;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Placement;
@@ -69,7 +70,7 @@ final class TunnellingGuard {
     private final double[] start = new double[3];
     private final RotatingFrame frame;
 
-    private double[][] scratch = {};
+    private final PerWorker<double[]> scratch = new PerWorker<>(() -> new double[3]);
     private int[] dynamic = {};
     private int dynamicCount;
     private double step;
@@ -115,9 +116,7 @@ final class TunnellingGuard {
         dynamic = bodies;
         dynamicCount = count;
         step = stepSeconds;
-        if (scratch.length < jobs.workers()) {
-            scratch = new double[jobs.workers()][3];
-        }
+        scratch.ensure(jobs.workers());
         int bodyBlocks = Blocks.count(count, BODIES_PER_BLOCK);
         int rowBlocks = Blocks.count(contacts.activeCount, ROWS_PER_BLOCK);
         ensure(bodyBlocks, rowBlocks);
@@ -153,7 +152,7 @@ final class TunnellingGuard {
     private void composeDriven() {
         for (int i = 0; i < colliders.compoundCount; i++) {
             if (colliders.bodies.isMoved(colliders.compound[i])) {
-                colliders.compose(colliders.compound[i], scratch[0]);
+                colliders.compose(colliders.compound[i], scratch.of(0));
             }
         }
     }
@@ -175,7 +174,7 @@ final class TunnellingGuard {
         int count = 0;
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             int slot = dynamic[i];
-            fast[slot] = isSingle(slot) ? isFast(slot) : isAnyFast(slot, scratch[worker]);
+            fast[slot] = isSingle(slot) ? isFast(slot) : isAnyFast(slot, scratch.of(worker));
             count += fast[slot] ? 1 : 0;
         }
         fastCount[block] = count;

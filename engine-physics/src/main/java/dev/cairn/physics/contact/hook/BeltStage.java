@@ -8,6 +8,7 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Palettes;
 import dev.cairn.physics.internal.Rotations;
+import dev.cairn.physics.internal.PerWorker;
 
 /**
  * Surfaces that move along while their bodies do not: by how much, at each contact, B's surface
@@ -24,7 +25,7 @@ public final class BeltStage {
     private final ColliderStore colliders;
     private final ContactStore contacts;
     private final BlockJob job = this::block;
-    private double[][] scratch = {};
+    private final PerWorker<double[]> scratch = new PerWorker<>(() -> new double[3]);
 
     /** Of some rows. */
     public BeltStage(ColliderStore colliders, ContactStore contacts) {
@@ -37,9 +38,7 @@ public final class BeltStage {
         if (!contacts.belts) {
             return;
         }
-        if (scratch.length < jobs.workers()) {
-            scratch = new double[jobs.workers()][3];
-        }
+        scratch.ensure(jobs.workers());
         jobs.run(job, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK));
     }
 
@@ -53,8 +52,8 @@ public final class BeltStage {
             c.belt[3 * row + 2] = 0;
             if (c.isSolved(row)) {
                 boolean isFloorA = colliders.bodies.kind[c.bodyA[row]] != BodyStore.DYNAMIC;
-                add(row, c.colliderA[row], c.bodyA[row], isFloorA ? 1 : -1, scratch[worker]);
-                add(row, c.colliderB[row], c.bodyB[row], isFloorA ? -1 : 1, scratch[worker]);
+                add(row, c.colliderA[row], c.bodyA[row], isFloorA ? 1 : -1, scratch.of(worker));
+                add(row, c.colliderB[row], c.bodyB[row], isFloorA ? -1 : 1, scratch.of(worker));
                 flatten(row);
             }
         }

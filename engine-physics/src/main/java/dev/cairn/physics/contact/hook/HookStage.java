@@ -8,6 +8,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.PerWorker;
 
 import org.jspecify.annotations.Nullable;
 
@@ -28,7 +29,7 @@ public final class HookStage {
     private final ContactStore contacts;
     private final BlockJob job = this::block;
     private @Nullable ContactHook hook;
-    private Cursor[] cursors = {};
+    private final PerWorker<Cursor> cursors = new PerWorker<>(Cursor::new);
 
     /** Without a hook. */
     public HookStage(ColliderStore colliders, ContactStore contacts) {
@@ -67,13 +68,7 @@ public final class HookStage {
         if (hook == null) {
             return;
         }
-        if (cursors.length < jobs.workers()) {
-            int old = cursors.length;
-            cursors = Arrays.copyOf(cursors, jobs.workers());
-            for (int w = old; w < cursors.length; w++) {
-                cursors[w] = new Cursor();
-            }
-        }
+        cursors.ensure(jobs.workers());
         jobs.run(job, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK));
     }
 
@@ -82,7 +77,7 @@ public final class HookStage {
         if (asked == null) {
             return;
         }
-        Cursor cursor = cursors[worker];
+        Cursor cursor = cursors.of(worker);
         int end = Blocks.end(block, ROWS_PER_BLOCK, contacts.activeCount);
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = contacts.active[i];

@@ -7,8 +7,8 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Surface;
+import dev.cairn.physics.internal.PerWorker;
 
-import java.util.Arrays;
 
 /**
  * Sees all contacts between two bodies of which one has parts. Contacts of several parts along one
@@ -66,7 +66,7 @@ public final class PatchStage {
     /** By member and point: see {@link PatchRows#join}. */
     private byte[] share = {};
 
-    private PatchRows[] patches = {};
+    private final PerWorker<PatchRows> patches;
     private int activeBefore;
 
     /**
@@ -78,6 +78,7 @@ public final class PatchStage {
     public PatchStage(ColliderStore colliders, ContactStore contacts) {
         this.colliders = colliders;
         this.contacts = contacts;
+        patches = new PerWorker<>(() -> new PatchRows(colliders, contacts));
     }
 
     /** Joins rows; after {@link SeamStage#join}, before the solve. */
@@ -212,24 +213,18 @@ public final class PatchStage {
     }
 
     private void ensureWorkers(int workers) {
-        if (patches.length < workers) {
-            int old = patches.length;
-            patches = Arrays.copyOf(patches, workers);
-            for (int w = old; w < workers; w++) {
-                patches[w] = new PatchRows(colliders, contacts);
-            }
-        }
+        patches.ensure(workers);
         int most = 1;
         for (int g = 0; g < groups; g++) {
             most = Math.max(most, size[g]);
         }
-        for (PatchRows p : patches) {
-            p.ensure(most);
+        for (int w = 0; w < patches.count(); w++) {
+            patches.of(w).ensure(most);
         }
     }
 
     private void joinBlock(int block, int worker) {
-        PatchRows p = patches[worker];
+        PatchRows p = patches.of(worker);
         int end = Blocks.end(block, BODIES_PER_BLOCK, groups);
         for (int g = Blocks.begin(block, BODIES_PER_BLOCK); g < end; g++) {
             int made = 0;
@@ -258,7 +253,7 @@ public final class PatchStage {
     }
 
     private void partBlock(int block, int worker) {
-        PatchRows p = patches[worker];
+        PatchRows p = patches.of(worker);
         int end = Blocks.end(block, BODIES_PER_BLOCK, groups);
         for (int g = Blocks.begin(block, BODIES_PER_BLOCK); g < end; g++) {
             for (int at = firstRow[g]; at < firstRow[g] + rows[g]; at++) {

@@ -10,9 +10,9 @@ import dev.cairn.physics.contact.PointStore;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.PerWorker;
 import dev.cairn.physics.narrowphase.pair.Reach;
 
-import java.util.Arrays;
 
 /**
  * Sees all contacts of a collider with static bodies against each other: fixed bodies, the parts of
@@ -70,7 +70,7 @@ public final class SeamStage implements Stateful {
     private int[] firstHeld = {}, held = {};
 
     private SeamMemory last = new SeamMemory(), next = new SeamMemory();
-    private SeamPlanes[] planes = {};
+    private final PerWorker<SeamPlanes> planes;
     private long tick;
     private double reach;
     private int activeBefore;
@@ -87,6 +87,7 @@ public final class SeamStage implements Stateful {
         this.contacts = contacts;
         this.bounds = bounds;
         points = new PointStore(colliders);
+        planes = new PerWorker<>(() -> new SeamPlanes(colliders, contacts, bounds, points));
     }
 
     /**
@@ -335,24 +336,18 @@ public final class SeamStage implements Stateful {
     }
 
     private void ensureWorkers(int workers) {
-        if (planes.length < workers) {
-            int old = planes.length;
-            planes = Arrays.copyOf(planes, workers);
-            for (int w = old; w < workers; w++) {
-                planes[w] = new SeamPlanes(colliders, contacts, bounds, points);
-            }
-        }
+        planes.ensure(workers);
         int most = 1;
         for (int g = 0; g < groups; g++) {
             most = Math.max(most, size[g]);
         }
-        for (SeamPlanes p : planes) {
-            p.ensure(most);
+        for (int w = 0; w < planes.count(); w++) {
+            planes.of(w).ensure(most);
         }
     }
 
     private void joinBlock(int block, int worker) {
-        SeamPlanes p = planes[worker];
+        SeamPlanes p = planes.of(worker);
         int end = Blocks.end(block, GROUPS_PER_BLOCK, groups);
         for (int g = Blocks.begin(block, GROUPS_PER_BLOCK); g < end; g++) {
             p.begin(collider[g], member, firstMember[g], size[g], reach);
@@ -363,7 +358,7 @@ public final class SeamStage implements Stateful {
     }
 
     private void partBlock(int block, int worker) {
-        SeamPlanes p = planes[worker];
+        SeamPlanes p = planes.of(worker);
         int end = Blocks.end(block, GROUPS_PER_BLOCK, groups);
         for (int g = Blocks.begin(block, GROUPS_PER_BLOCK); g < end; g++) {
             for (int i = firstMember[g]; i < firstMember[g] + size[g]; i++) {

@@ -130,42 +130,47 @@ final class RoundTurn {
     }
 
     /**
-     * Moves a point, if it goes with an axis.
+     * Moves the points of a side, if they go with an axis.
      *
-     * @param record holds where it was at the tick's start, from the body's centre, at {@code q}
-     * @param to receives where it is now, at {@code i}
-     * @param half of the gap, m
+     * @param record holds where they were at the tick's start, from the body's centre, and their
+     *     gaps, the first point at {@code first}
+     * @param to receives where they are now, the first point at 0
+     * @param part of a point: 0 for A, 3 for B
+     * @param n number of points
      * @param nx normal of the contact, from A to B, world
      * @param ny as nx
      * @param nz as nx
      */
     void move(
             double[] record,
-            int q,
+            int first,
             double[] to,
-            int i,
-            double half,
+            int part,
+            int n,
             double nx,
             double ny,
             double nz) {
         if (!isSet) {
             return;
         }
-        double rx = record[q] - x;
-        double ry = record[q + 1] - y;
-        double rz = record[q + 2] - z;
+        int q = first + part;
+        int end = RefreshRow.NUMBERS * n;
         if (isBall) {
-            to[i] = toX + rx;
-            to[i + 1] = toY + ry;
-            to[i + 2] = toZ + rz;
+            for (int i = part; i < end; i += RefreshRow.NUMBERS, q += RefreshRow.NUMBERS) {
+                to[i] = toX + (record[q] - x);
+                to[i + 1] = toY + (record[q + 1] - y);
+                to[i + 2] = toZ + (record[q + 2] - z);
+            }
             return;
         }
-        double t = side * (radius + half);
-        rx -= t * nx;
-        ry -= t * ny;
-        rz -= t * nz;
-        to[i] = toX + (swing[0] * rx + swing[1] * ry + swing[2] * rz) + t * nx;
-        to[i + 1] = toY + (swing[3] * rx + swing[4] * ry + swing[5] * rz) + t * ny;
-        to[i + 2] = toZ + (swing[6] * rx + swing[7] * ry + swing[8] * rz) + t * nz;
+        for (int i = part; i < end; i += RefreshRow.NUMBERS, q += RefreshRow.NUMBERS) {
+            double t = side * (radius + 0.5 * record[q - part + RefreshRow.GAPS]);
+            double rx = record[q] - x - t * nx;
+            double ry = record[q + 1] - y - t * ny;
+            double rz = record[q + 2] - z - t * nz;
+            to[i] = toX + (swing[0] * rx + swing[1] * ry + swing[2] * rz) + t * nx;
+            to[i + 1] = toY + (swing[3] * rx + swing[4] * ry + swing[5] * rz) + t * ny;
+            to[i + 2] = toZ + (swing[6] * rx + swing[7] * ry + swing[8] * rz) + t * nz;
+        }
     }
 }
