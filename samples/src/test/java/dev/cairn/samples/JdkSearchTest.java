@@ -2,6 +2,7 @@ package dev.cairn.samples;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -146,6 +147,20 @@ class JdkSearchTest {
         assertEquals("--list", command.get(command.size() - 1));
         List<String> again = Launcher.missingFlags(home, command);
         assertFalse(again.contains("--add-modules=jdk.incubator.vector"), again.toString());
+    }
+
+    @Test
+    void kernelsInLanesAreCompiledEarly() throws IOException {
+        File home = jdk("jdk", "25.0.3");
+        List<String> early = Launcher.earlyLanes(home);
+        assertTrue(Launcher.command(home, List.of(), "a.jar", "Main", new String[0]).containsAll(early));
+        assertTrue(Launcher.earlyLanes(jdk("jre", "25.0.3", "java.base")).isEmpty());
+        for (String kernels : Launcher.IN_LANES) {
+            assertNotNull(
+                    getClass().getResource("/" + kernels.replace('.', '/') + "/package-info.class"),
+                    kernels);
+            assertTrue(early.stream().anyMatch(o -> o.contains(kernels + ".*::*")), kernels);
+        }
     }
 
     /** GLFW's rule; a child that was started so is not started once more. */
