@@ -72,6 +72,12 @@ public final class Impacts {
     /** A gain of energy that is rounding, over the energy. */
     private static final double GAIN = 1e-12;
 
+    /**
+     * Share of its own acceleration that contacts take from a body that they carry. What leans on a
+     * wall falls as if the wall were not there; of what lies on the ground nothing is left.
+     */
+    private static final double CARRIED = 0.1;
+
     private final RowWindow window = new RowWindow();
     private ConstraintRows rows = new EdgeList().doubles;
 
@@ -279,20 +285,28 @@ public final class Impacts {
     }
 
     /**
-     * Acceleration of a body between impacts: its own when it flies, none while contacts carry it.
+     * Acceleration of a body between impacts: its own, less what its contacts have taken along it
+     * in the last sub-step; none while they carry it.
      */
     void accelerate(int at, double[] g, double[] destination, int out) {
-        double m = 0;
-        double k = 0;
-        if (body[at + SolverBodies.MASS] > 0 && body[at + SolverBodies.LOADED] == 0) {
-            m = body[at + SolverBodies.MASS];
-            k = body[at + SolverBodies.GRAVITY];
-        }
+        double m = body[at + SolverBodies.MASS];
         int slot = bodies.isMoved(at) ? SolverBodies.slot(at) : 0;
-        k *= store.gravityScale[slot];
-        destination[out] = k * g[0] + m * store.forceX[slot];
-        destination[out + 1] = k * g[1] + m * store.forceY[slot];
-        destination[out + 2] = k * g[2] + m * store.forceZ[slot];
+        double k = m > 0 ? body[at + SolverBodies.GRAVITY] * store.gravityScale[slot] : 0;
+        double x = k * g[0] + m * store.forceX[slot];
+        double y = k * g[1] + m * store.forceY[slot];
+        double z = k * g[2] + m * store.forceZ[slot];
+        double left = 1;
+        if (body[at + SolverBodies.LOADED] != 0) {
+            // a.a_c/a^2, with what the contacts did to the velocity, h a_c
+            int w = at >> 1;
+            double[] warm = bodies.warm;
+            double along = (warm[w] * x + warm[w + 1] * y + warm[w + 2] * z) / subStep;
+            double square = x * x + y * y + z * z;
+            left = Math.abs(along) < CARRIED * square ? 1 + along / square : 0;
+        }
+        destination[out] = left * x;
+        destination[out + 1] = left * y;
+        destination[out + 2] = left * z;
     }
 
     /**
