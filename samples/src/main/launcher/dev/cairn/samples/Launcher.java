@@ -28,6 +28,7 @@ import java.util.concurrent.TimeUnit;
 public final class Launcher {
 
     private static final int EXIT_UNUSABLE = 2;
+
     /** Packages of the kernels in lanes. */
     static final List<String> IN_LANES =
             Arrays.asList("dev.cairn.physics.solver.wide", "dev.cairn.physics.narrowphase.wide");
@@ -171,8 +172,7 @@ public final class Launcher {
         if (JdkSearch.hasVectorModule(home)) {
             options.add("-XX:CompileCommand=quiet");
             for (String kernels : IN_LANES) {
-                options.add(
-                        "-XX:CompileCommand=CompileThresholdScaling," + kernels + ".*::*,0.1");
+                options.add("-XX:CompileCommand=CompileThresholdScaling," + kernels + ".*::*,0.1");
             }
         }
         return options;

@@ -153,7 +153,9 @@ class JdkSearchTest {
     void kernelsInLanesAreCompiledEarly() throws IOException {
         File home = jdk("jdk", "25.0.3");
         List<String> early = Launcher.earlyLanes(home);
-        assertTrue(Launcher.command(home, List.of(), "a.jar", "Main", new String[0]).containsAll(early));
+        assertTrue(
+                Launcher.command(home, List.of(), "a.jar", "Main", new String[0])
+                        .containsAll(early));
         assertTrue(Launcher.earlyLanes(jdk("jre", "25.0.3", "java.base")).isEmpty());
         for (String kernels : Launcher.IN_LANES) {
             assertNotNull(

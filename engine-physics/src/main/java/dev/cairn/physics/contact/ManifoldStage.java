@@ -5,8 +5,8 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.internal.PerWorker;
+import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.box.BoxContacts;
 import dev.cairn.physics.narrowphase.hull.PairMemory;
@@ -16,7 +16,6 @@ import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Moved;
-
 
 /**
  * The narrow phase over all active rows, sorted by the kind of pair, in blocks of one kind, one

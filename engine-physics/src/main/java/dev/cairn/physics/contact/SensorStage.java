@@ -9,12 +9,11 @@ import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.Columns;
-import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.internal.PerWorker;
+import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
-
 
 /**
  * Which bodies are in which sensor. A sensor's pairs are rows of their own, which no solver, island

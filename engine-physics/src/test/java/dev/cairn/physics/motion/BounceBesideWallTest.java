@@ -29,7 +29,12 @@ class BounceBesideWallTest {
 
     @ParameterizedTest
     @CsvSource({
-        "ball, 0", "ball, 1e-9", "ball, 0.5", "cube, 1e-9", "cube, 0.5", "capsule, 1e-9",
+        "ball, 0",
+        "ball, 1e-9",
+        "ball, 0.5",
+        "cube, 1e-9",
+        "cube, 0.5",
+        "capsule, 1e-9",
         "capsule, 0.5"
     })
     void theWallIsNotFelt(String kind, double pull) {
@@ -43,8 +48,7 @@ class BounceBesideWallTest {
     }
 
     private static long run(String kind, double pull, int substeps, int workers, int lanes) {
-        PhysicsSettings settings =
-                PhysicsSettings.DEFAULT.withSubsteps(substeps).withLanes(lanes);
+        PhysicsSettings settings = PhysicsSettings.DEFAULT.withSubsteps(substeps).withLanes(lanes);
         try (PhysicsWorld world =
                 PhysicsWorld.builder()
                         .gravity(-pull, -9.81, 0)
@@ -76,8 +80,7 @@ class BounceBesideWallTest {
             double bound = pull == 0 ? 1e-12 : LOSS * 4 / substeps;
             for (int tick = 0; tick < 600; tick++) {
                 world.step(1 / 60.0);
-                double gain =
-                        (world.kineticEnergy() + world.potentialEnergy() - start) / scale;
+                double gain = (world.kineticEnergy() + world.potentialEnergy() - start) / scale;
                 String where = kind + ", " + substeps + " sub-steps, tick " + tick;
                 assertTrue(gain < 1e-12, () -> where + ": energy gained " + gain);
                 assertTrue(gain > -bound, () -> where + ": energy lost " + -gain);

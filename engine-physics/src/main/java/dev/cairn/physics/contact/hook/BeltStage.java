@@ -7,8 +7,8 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Palettes;
-import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.internal.PerWorker;
+import dev.cairn.physics.internal.Rotations;
 
 /**
  * Surfaces that move along while their bodies do not: by how much, at each contact, B's surface

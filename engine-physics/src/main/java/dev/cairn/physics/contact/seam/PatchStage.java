@@ -6,9 +6,8 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.internal.Surface;
 import dev.cairn.physics.internal.PerWorker;
-
+import dev.cairn.physics.internal.Surface;
 
 /**
  * Sees all contacts between two bodies of which one has parts. Contacts of several parts along one

@@ -13,7 +13,6 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.PerWorker;
 import dev.cairn.physics.narrowphase.pair.Reach;
 
-
 /**
  * Sees all contacts of a collider with static bodies against each other: fixed bodies, the parts of
  * one body, kinematic bodies of one velocity. Where one plane holds the collider off several of
