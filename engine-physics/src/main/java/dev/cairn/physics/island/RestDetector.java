@@ -43,6 +43,7 @@ public final class RestDetector {
     private static final int BODIES_PER_BLOCK = 256;
     private static final int POSE = 7;
 
+    private final double softness;
     private final double window;
     private final double stillSeconds;
     private final BlockJob job = this::block;
@@ -80,8 +81,11 @@ public final class RestDetector {
      * A rule.
      *
      * @param sleepSeconds time of quiet before sleep, s: two windows
+     * @param softness how far what rests sinks into a contact, over {@code g} times the square of
+     *     the tick
      */
-    public RestDetector(double sleepSeconds) {
+    public RestDetector(double sleepSeconds, double softness) {
+        this.softness = softness;
         window = 0.5 * sleepSeconds;
         stillSeconds = STILL * sleepSeconds;
     }
@@ -234,7 +238,10 @@ public final class RestDetector {
         double moved = moved(s, start);
         double last = before[s];
         double r = bodies.innerRadius[s];
-        boolean fades = moved <= FADES * last && moved * moved <= LEFT * r * (last - moved);
+        // what is thin rises from its sag by more than a share of its size
+        double sag = softness * gravity * (step * step);
+        double left = Math.max(LEFT * r, Math.min(STAYS * r, sag));
+        boolean fades = moved <= FADES * last && moved * moved <= left * (last - moved);
         rests[s] = last >= 0 && (moved <= NONE * r || fades);
         before[s] = moved;
         seconds[s] = 0;

@@ -59,15 +59,20 @@ public final class SleepingBodies {
      *
      * @param enabled whether bodies sleep
      * @param sleepSeconds time of quiet before, s
+     * @param softness as for {@link RestDetector}
      * @param bodies whose kinds change
      * @param edges the links: contacts, and other kinds of constraints
      */
     public SleepingBodies(
-            boolean enabled, double sleepSeconds, BodyStore bodies, EdgeSource... edges) {
+            boolean enabled,
+            double sleepSeconds,
+            double softness,
+            BodyStore bodies,
+            EdgeSource... edges) {
         this.bodies = bodies;
         this.edges = edges;
         this.enabled = enabled;
-        detector = new RestDetector(sleepSeconds);
+        detector = new RestDetector(sleepSeconds, softness);
         resting = new RestingIslands(detector, bodies, edges);
         neighbours = new AwakeNeighbours(bodies);
         told = new SleepChanges(bodies);

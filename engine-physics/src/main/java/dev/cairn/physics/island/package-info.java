@@ -16,9 +16,11 @@
  * {@code 0.0015 sqrt(g r)} and the user does not push it. Let {@code D1} and {@code D2} be what its
  * surface moved in two windows in a row. It is at rest if its motion fades and what is left of it,
  * were it to fade on as {@code D2/D1}, is small: {@code D2 D2/(D1 - D2) <= 0.002 r}; or if {@code
- * D2 <= 5e-6 r}. So a body by itself that moves steadily, however slowly, is not stopped, and one
- * that creeps to rest is stopped only where that does not matter. A body without contacts, or
- * without gravity, sleeps only if it does not move at all.
+ * D2 <= 5e-6 r}. What is thin rises from the sag of its contacts, some 70 micrometres at 1/240 s,
+ * for seconds; so the bound is at least that sag, but at most {@code 0.01 r}. So a body by itself
+ * that moves steadily, however slowly, is not stopped, and one that creeps to rest is stopped only
+ * where that does not matter. A body without contacts, or without gravity, sleeps only if it does
+ * not move at all.
  *
  * <p>A heap never meets that: hundreds of bodies creep by micrometres, a few rock on two points or
  * roll in a trough for minutes, since nothing in a contact dissipates that. So among others, in an

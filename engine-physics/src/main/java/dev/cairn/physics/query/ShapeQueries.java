@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Rays, moving shapes, distances and overlaps of single shapes. Owns scratch memory: one per
- * thread. Allocates nothing but that, when it is needed first.
+ * thread. Allocates nothing.
  */
 public final class ShapeQueries {
     private static final int MOST_STEPS = 64;
@@ -19,9 +19,7 @@ public final class ShapeQueries {
     /** So small a ball that it is a point: its radius is lost in the rounding of any coordinate. */
     private static final Sphere POINT = Sphere.of(1e-50);
 
-    /** Made when it is needed first: much of a world never asks. */
-    private @Nullable NarrowPhase narrowPhase;
-
+    private final NarrowPhase narrowPhase = new NarrowPhase();
     private final Manifold manifold = new Manifold();
     private final Placement moving = new Placement();
 
@@ -56,23 +54,15 @@ public final class ShapeQueries {
         return convexDistance(a, b);
     }
 
-    private NarrowPhase narrowPhase() {
-        if (narrowPhase == null) {
-            narrowPhase = new NarrowPhase();
-        }
-        return narrowPhase;
-    }
-
     private MeshQueries meshes() {
         if (meshQueries == null) {
-            meshQueries = new MeshQueries(narrowPhase());
+            meshQueries = new MeshQueries(narrowPhase);
         }
         return meshQueries;
     }
 
     private double convexDistance(Placement a, Placement b) {
-        NarrowPhase pairs = narrowPhase();
-        return pairs.distance(
+        return narrowPhase.distance(
                 a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, b.x - a.x,
                 b.y - a.y, b.z - a.z);
     }
@@ -108,9 +98,8 @@ public final class ShapeQueries {
             out.swap();
             return d;
         }
-        NarrowPhase pairs = narrowPhase();
         double d =
-                pairs.closest(
+                narrowPhase.closest(
                         a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, b.x - a.x,
                         b.y - a.y, b.z - a.z, manifold);
         double half = d / 2;
@@ -232,7 +221,7 @@ public final class ShapeQueries {
     public boolean timeOfImpact(
             Placement a, Motion motionA, Placement b, Motion motionB, double seconds, Hit out) {
         if (sweeps == null) {
-            sweeps = new Sweeps(narrowPhase(), meshes());
+            sweeps = new Sweeps(narrowPhase, meshes());
         }
         return sweeps.meet(a, motionA, b, motionB, seconds, out);
     }
@@ -346,13 +335,12 @@ public final class ShapeQueries {
         double startX = mover.x;
         double startY = mover.y;
         double startZ = mover.z;
-        NarrowPhase pairs = narrowPhase();
         double t = 0;
         for (int step = 0; ; step++) {
             double s = convexDistance(mover, target);
-            double nx = pairs.axisX();
-            double ny = pairs.axisY();
-            double nz = pairs.axisZ();
+            double nx = narrowPhase.axisX();
+            double ny = narrowPhase.axisY();
+            double nz = narrowPhase.axisZ();
             // What the coordinates can tell apart.
             double reach =
                     Math.abs(mover.x - target.x)
@@ -393,9 +381,8 @@ public final class ShapeQueries {
             out.pointZ = mover.z;
             return;
         }
-        NarrowPhase pairs = narrowPhase();
         double d =
-                pairs.closest(
+                narrowPhase.closest(
                         mover.shape,
                         target.shape,
                         mover.qx,

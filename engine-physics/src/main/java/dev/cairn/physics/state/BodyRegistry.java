@@ -14,6 +14,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.island.SleepingBodies;
 import dev.cairn.physics.shape.MassProperties;
+import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
 import org.jspecify.annotations.Nullable;
@@ -89,7 +90,18 @@ public final class BodyRegistry implements Stateful {
     public BodyRegistry(Tuning tuning, boolean sleeping, double sleepSeconds, EdgeSource[] edges) {
         bounds = new BoundsStage(colliders, tuning);
         this.edges = edges;
-        sleepers = new SleepingBodies(sleeping, sleepSeconds, bodies, edges);
+        sleepers = new SleepingBodies(sleeping, sleepSeconds, softness(tuning), bodies, edges);
+    }
+
+    /** {@code sag / (g T^2)} on static bodies: {@code sag = g/w^2}, {@code w} in ticks T. */
+    private static double softness(Tuning tuning) {
+        double perSubStep =
+                2
+                        * Math.PI
+                        * tuning.get(Tunable.CONTACT_STIFFNESS)
+                        * tuning.get(Tunable.STATIC_STIFFNESS_SCALE);
+        double perTick = perSubStep * tuning.get(Tunable.SUBSTEPS);
+        return 1 / (perTick * perTick);
     }
 
     /** The ECS that holds the entities. */

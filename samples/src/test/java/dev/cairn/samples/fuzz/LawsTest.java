@@ -100,6 +100,14 @@ final class LawsTest {
         }
     }
 
+    /** A plate of 28 mm and a bar of 10 mm, which rose from the sag of their contacts for long. */
+    @ParameterizedTest(name = "world {0}")
+    @CsvSource({"185", "277"})
+    void whatIsThinFallsAsleep(int world) {
+        FuzzWorld fuzz = WorldGenerator.world(1, world, Family.LEVEL);
+        assertNull(Laws.broken(fuzz, false).get(Law.SLEEP), "SLEEP of seed 1");
+    }
+
     /**
      * Worlds in space that lost up to 0.08 of their angular momentum: bodies that turn by radians a
      * tick and are struck within it (24, 53, 55, 59, 79, 137, 210, 229), two that strike each other

@@ -13,8 +13,6 @@ import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.HalfSpace;
 
-import org.jspecify.annotations.Nullable;
-
 /**
  * The row of M and a joined surface: M's contact with the plane of it, if each point of that is
  * over a member of the surface. It goes on where a row of the last tick ended, or where the rows
@@ -31,10 +29,7 @@ final class JoinedRow {
     private final PointStore points;
     private final SeamMembers members;
     private final PointStore.Scratch scratch = new PointStore.Scratch();
-
-    /** Made with the first row: most worlds join none. */
-    private @Nullable NarrowPhase narrowPhase;
-
+    private final NarrowPhase narrowPhase = new NarrowPhase();
     private final Manifold manifold = new Manifold();
     private final int[] one = new int[1];
 
@@ -120,13 +115,6 @@ final class JoinedRow {
         return true;
     }
 
-    private NarrowPhase narrowPhase() {
-        if (narrowPhase == null) {
-            narrowPhase = new NarrowPhase();
-        }
-        return narrowPhase;
-    }
-
     private void chooseBase(int leader) {
         base = members.neighbour(leader);
         BodyStore s = colliders.bodies;
@@ -144,7 +132,6 @@ final class JoinedRow {
 
     /** The contact of M with the plane of a member, as of the row to be. */
     private long collide(int leader, long key) {
-        NarrowPhase pairs = narrowPhase();
         Poses s = colliders.poses;
         int i = 3 * leader;
         double x = members.normal[i];
@@ -168,7 +155,7 @@ final class JoinedRow {
         double qz = s.orientationZ[members.m];
         double qw = s.orientationW[members.m];
         if (!isSecond) {
-            return pairs.collide(
+            return narrowPhase.collide(
                     colliders.shape[members.m],
                     PLANE,
                     qx,
@@ -187,7 +174,7 @@ final class JoinedRow {
                     manifold);
         }
         long next =
-                pairs.collide(
+                narrowPhase.collide(
                         PLANE,
                         colliders.shape[members.m],
                         px,

@@ -19,7 +19,7 @@ public final class SolidOfRevolution {
     /** More than one run of GJK and one of EPA can ask for. */
     private static final int MOST = 512;
 
-    /** Room at first, once there is a round shape: most runs ask for fewer. */
+    /** Room at first: most runs ask for fewer. */
     private static final int ROOM = 64;
 
     /** Heights of the discs along y, and their radii, m. */
@@ -31,7 +31,7 @@ public final class SolidOfRevolution {
     /** Along the outward normals of the side: its y component, and the one across. */
     public double sideAlong, sideAcross;
 
-    private double[] x = {}, y = {}, z = {};
+    private double[] x = new double[ROOM], y = new double[ROOM], z = new double[ROOM];
     private int count;
 
     /** Takes over a ball, capsule, cylinder or cone; false for other shapes. */
@@ -92,7 +92,7 @@ public final class SolidOfRevolution {
             }
         }
         if (count == x.length && count < MOST) {
-            int room = Math.max(ROOM, 2 * count);
+            int room = 2 * count;
             x = Arrays.copyOf(x, room);
             y = Arrays.copyOf(y, room);
             z = Arrays.copyOf(z, room);

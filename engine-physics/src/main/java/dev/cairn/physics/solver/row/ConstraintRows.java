@@ -101,7 +101,7 @@ public final class ConstraintRows implements EdgePlaces {
     public static final int CHUNK = 32;
 
     /** Places for which there is room at first. */
-    private static final int LEAST = 16;
+    private static final int LEAST = 64;
 
     /** Rows to a vector. */
     public final int lanes;
@@ -201,7 +201,7 @@ public final class ConstraintRows implements EdgePlaces {
         places = wanted;
         if (wanted * LINK > link.length) {
             int n = Math.max(wanted, Math.max(LEAST, settleMark.length + (settleMark.length >> 1)));
-            n = (n + group - 1) / group * group;
+            n = (n + CHUNK - 1) / CHUNK * CHUNK;
             if (isSingle) {
                 floats = new float[START + n * FIELDS];
             } else {
