@@ -31,6 +31,8 @@ import dev.cairn.physics.solver.row.Scratch;
 import dev.cairn.physics.solver.row.SubStep;
 import dev.cairn.physics.tuning.Tunable;
 
+import java.util.function.IntPredicate;
+
 /**
  * The passes of a tick, each over a range of rows of one colour or over a range of the bodies with
  * contacts, in the order of {@link Batches#order}. The blocks of a stage in lockstep and the
@@ -54,6 +56,7 @@ final class Passes {
     final DirectIslands direct;
     final BouncingContacts bouncing;
     final Assemblies assemblies;
+    private final IntPredicate jointed;
     final JointPasses joints;
     private final DrivenSides sides;
 
@@ -73,6 +76,7 @@ final class Passes {
             SupportAnalysis supports,
             Assemblies assemblies) {
         this.assemblies = assemblies;
+        jointed = assemblies::binds;
         this.bouncing = bouncing;
         this.sides = sides;
         this.tick = tick;
@@ -413,7 +417,8 @@ final class Passes {
                 bouncing.impactLimits,
                 bouncing.from(batch),
                 bouncing.to(batch),
-                sub.seconds)) {
+                sub.seconds,
+                jointed)) {
             for (int k = head; k < tail; k++) {
                 round(tick.order[k]);
             }

@@ -24,6 +24,7 @@ import dev.cairn.physics.solver.row.RowWindow;
 import dev.cairn.physics.tuning.Tunable;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /**
  * Impacts that bounce, before the contacts of a sub-step are solved.
@@ -81,6 +82,9 @@ public final class Impacts {
     private final RowWindow window = new RowWindow();
     private ConstraintRows rows = new EdgeList().doubles;
 
+    /** Whether joints may carry a body, by slot. */
+    private IntPredicate isJointed = slot -> false;
+
     /** Size of gravity, m/s², and length of the sub-step in work, s. */
     private double gravity;
 
@@ -111,6 +115,7 @@ public final class Impacts {
      * @param impactLimits of each, in a sub-step, at most
      * @param from where those of the batch start
      * @param h length of the sub-step, s
+     * @param jointed whether joints may carry a body, by slot
      * @return whether there was one: bodies have moved
      */
     public boolean run(
@@ -120,8 +125,10 @@ public final class Impacts {
             int[] impactLimits,
             int from,
             int to,
-            double h) {
+            double h,
+            IntPredicate jointed) {
         rows = constraintRows;
+        isJointed = jointed;
         bodies = tick.body;
         store = tick.bodies;
         body = bodies.state;
@@ -286,7 +293,7 @@ public final class Impacts {
 
     /**
      * Acceleration of a body between impacts: its own, less what its contacts have taken along it
-     * in the last sub-step; none while they carry it.
+     * in the last sub-step; none while they carry it, or joints do.
      */
     void accelerate(int at, double[] g, double[] destination, int out) {
         double m = body[at + SolverBodies.MASS];
@@ -302,7 +309,8 @@ public final class Impacts {
             double[] warm = bodies.warm;
             double along = (warm[w] * x + warm[w + 1] * y + warm[w + 2] * z) / subStep;
             double square = x * x + y * y + z * z;
-            left = Math.abs(along) < CARRIED * square ? 1 + along / square : 0;
+            boolean carried = !(Math.abs(along) < CARRIED * square) || isJointed.test(slot);
+            left = carried ? 0 : 1 + along / square;
         }
         destination[out] = left * x;
         destination[out + 1] = left * y;
