@@ -199,7 +199,13 @@ public final class SolverBodies {
         int w = (i + 1) * HALF;
         for (int k = w; k < w + 6; k++) {
             warm[k] += warmFloats[k];
+            warmFloats[k] = 0;
         }
+    }
+
+    /** A component of the warm start, also before that of rows of floats is added. */
+    public double warm(int at) {
+        return warm[at] + warmFloats[at];
     }
 
     /** Loads a body that has contacts; keeps {@link #LOADED} of the last sub-step. */

@@ -306,8 +306,9 @@ public final class Impacts {
         if (body[at + SolverBodies.LOADED] != 0) {
             // a.a_c/a^2, with what the contacts did to the velocity, h a_c
             int w = at >> 1;
-            double[] warm = bodies.warm;
-            double along = (warm[w] * x + warm[w + 1] * y + warm[w + 2] * z) / subStep;
+            double along =
+                    (bodies.warm(w) * x + bodies.warm(w + 1) * y + bodies.warm(w + 2) * z)
+                            / subStep;
             double square = x * x + y * y + z * z;
             boolean carried = !(Math.abs(along) < CARRIED * square) || isJointed.test(slot);
             left = carried ? 0 : 1 + along / square;
