@@ -67,7 +67,7 @@ public final class AxisRefinement {
     /** See {@link #isOptimal}. */
     final OptimalityTest optimality = new OptimalityTest(sideA, sideB);
 
-    private Pair pair = new Pair();
+    private Pair pair;
     private double nx, ny, nz;
     private double startX, startY, startZ;
 

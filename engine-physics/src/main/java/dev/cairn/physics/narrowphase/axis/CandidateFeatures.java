@@ -53,7 +53,7 @@ final class CandidateFeatures {
     final int[] edge = new int[EDGES];
 
     private final boolean flip;
-    private Pair pair = new Pair();
+    private Pair pair;
     private boolean wide;
 
     CandidateFeatures(boolean ofB) {

@@ -57,7 +57,7 @@ public final class Clipper {
 
     private Polyhedron other = reference;
     private final IncidentPlane plane = new IncidentPlane();
-    private Pair pair = new Pair();
+    private Pair pair;
 
     /**
      * Fills the corners with separation up to the margin, in the reference's frame.

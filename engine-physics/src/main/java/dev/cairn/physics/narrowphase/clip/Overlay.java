@@ -15,7 +15,7 @@ import dev.cairn.physics.narrowphase.pair.Pair;
 public final class Overlay {
     public final Clipper out = new Clipper();
 
-    private Pair pair = new Pair();
+    private Pair pair;
     private Patch ref = new Patch(), inc = new Patch();
     private double nx, ny, nz;
     private double slack, slackBefore;

@@ -65,7 +65,7 @@ public final class Patch {
     /** {@link FeatureIds#VERTEX_A} or {@link FeatureIds#VERTEX_B}. */
     public int kind;
 
-    private Pair pair = new Pair();
+    private Pair pair;
 
     /** Looks along a unit direction of A's frame. */
     public void fill(Pair p, boolean ofB, double dx, double dy, double dz) {

@@ -4,8 +4,6 @@ import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.revolution.Discs;
 import dev.cairn.physics.shape.revolution.Revolved;
 
-import java.util.Arrays;
-
 /**
  * The core of a round shape: the convex hull of two discs about the y axis, relative to the centre
  * of mass. A disc of radius 0 is a point, and both discs may coincide: the core of a ball is a
@@ -19,9 +17,6 @@ public final class SolidOfRevolution {
     /** More than one run of GJK and one of EPA can ask for. */
     private static final int MOST = 512;
 
-    /** Room at first: most runs ask for fewer. */
-    private static final int ROOM = 64;
-
     /** Heights of the discs along y, and their radii, m. */
     public double low, high, lowRadius, highRadius;
 
@@ -31,7 +26,7 @@ public final class SolidOfRevolution {
     /** Along the outward normals of the side: its y component, and the one across. */
     public double sideAlong, sideAcross;
 
-    private double[] x = new double[ROOM], y = new double[ROOM], z = new double[ROOM];
+    private final double[] x = new double[MOST], y = new double[MOST], z = new double[MOST];
     private int count;
 
     /** Takes over a ball, capsule, cylinder or cone; false for other shapes. */
@@ -90,12 +85,6 @@ public final class SolidOfRevolution {
             if (x[i] == px && y[i] == py && z[i] == pz) {
                 return i;
             }
-        }
-        if (count == x.length && count < MOST) {
-            int room = 2 * count;
-            x = Arrays.copyOf(x, room);
-            y = Arrays.copyOf(y, room);
-            z = Arrays.copyOf(z, room);
         }
         int at = count < MOST ? count++ : MOST - 1;
         x[at] = px;
