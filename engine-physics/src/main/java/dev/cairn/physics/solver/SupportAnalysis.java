@@ -70,7 +70,6 @@ final class SupportAnalysis {
                 tick.settings.count(Tunable.UNLOAD_SWEEPS) > 0
                         && unloading.find(
                                 tick.bodies,
-                                tick.contacts,
                                 list,
                                 tick.impulseScale / tick.subStep,
                                 tick.weight(),

@@ -22,14 +22,15 @@ import java.util.Arrays;
  *
  * <p>Most ticks have the edges of the tick before: then all of it still holds, and a comparison is
  * what is paid; where only presses what did not, the batches hold, and the colours are made anew.
- * So all persists, and yet is a function of the present edges alone. Simulation thread, the
- * comparison of contacts in blocks; allocates only when a store has grown.
+ * So all persists, and yet is a function of the present edges alone. Simulation thread, the look at
+ * contacts in blocks; allocates only when a store has grown.
  */
 public final class Collector implements Stateful {
     private static final int CONTACTS_PER_BLOCK = 1024;
 
     private final Colouring colouring;
     private final Batches batches;
+    private final EdgeFacts facts = new EdgeFacts();
     private final PairOrder order = new PairOrder();
 
     /** Kinematic bodies that move, of this tick. */
@@ -41,7 +42,7 @@ public final class Collector implements Stateful {
     /** Those of this tick. */
     public final BouncingContacts bouncing = new BouncingContacts();
 
-    /** By edge: whether it had no impulse at the end of the last tick; whether it bounces. */
+    /** By edge of the list: whether it is a contact without impulse; whether it bounces. */
     private boolean[] cold = {};
 
     private boolean[] bounces = {};
@@ -56,7 +57,7 @@ public final class Collector implements Stateful {
 
     private int[] at = {};
 
-    private final BlockJob compare = this::compare;
+    private final BlockJob look = this::look;
     private BodyStore bodies = new BodyStore();
     private ContactStore contacts = new ContactStore();
     private EdgeList list = new EdgeList();
@@ -100,7 +101,7 @@ public final class Collector implements Stateful {
      * @param guide receives which bodies have edges, see {@link SolverBodies#guide}
      * @param workerCount workers that may work at batches
      * @param floatsFrom rows of an island that are floats if there are as many
-     * @param jobs runs the comparison
+     * @param jobs runs the look at contacts
      * @return whether any two dynamic bodies touch
      */
     public boolean run(
@@ -118,9 +119,7 @@ public final class Collector implements Stateful {
         sameColours = true;
         sameVariants = true;
         sameList = !renewed && hasSameKinds();
-        if (sameList) {
-            jobs.run(compare, Blocks.count(contacts.activeCount, CONTACTS_PER_BLOCK));
-        }
+        jobs.run(look, Blocks.count(contacts.activeCount, CONTACTS_PER_BLOCK));
         sameBodies = sameList || list();
         sameBodies &= slots == bodies.slotCount;
         sameBodies &= workers == workerCount || renewed;
@@ -180,6 +179,7 @@ public final class Collector implements Stateful {
             listed = Arrays.copyOf(listed, n);
             at = Arrays.copyOf(at, n);
         }
+        facts.ensureCapacity(n);
         if (firstListed.length < list.first.length) {
             firstListed = new int[list.first.length];
         }
@@ -236,39 +236,45 @@ public final class Collector implements Stateful {
         return -1;
     }
 
-    /** Compares a range of contacts with the list; what differs is told by whoever finds it. */
-    private void compare(int block, int worker) {
+    /** Reads a range of contacts, and compares it with the list. */
+    private void look(int block, int worker) {
         int end = Blocks.end(block, CONTACTS_PER_BLOCK, contacts.activeCount);
         for (int i = Blocks.begin(block, CONTACTS_PER_BLOCK); i < end; i++) {
-            int c = contacts.active[i];
-            int n = at[i];
-            if (listed[i] != c || contacts.isSolved(c) != n >= 0) {
-                sameList = false;
-                return;
-            }
-            if (n < 0) {
-                continue;
-            }
-            int a = mover(contacts.bodyA[c]);
-            int b = mover(contacts.bodyB[c]);
-            if (list.slotA[n] != a
-                    || list.slotB[n] != b
-                    || list.carrier[n] != carrier(contacts.bodyA[c], contacts.bodyB[c], true)
-                    || bounces[n] != contacts.restitution[c] > 0) {
-                sameList = false;
-                return;
-            }
-            int count = contacts.pointCount[c];
-            boolean isCold = (a | b) >= 0 && isCold(contacts, c, count);
-            if (cold[n] != isCold) {
-                sameColours = false;
-                cold[n] = isCold;
-            }
-            if (list.variant[n] != count) {
-                sameVariants = false;
-                list.variant[n] = count;
+            facts.readContact(contacts, bodies, i);
+            if (sameList && !isAsListed(i)) {
+                sameList = false; // by whoever finds one
             }
         }
+    }
+
+    /** Compares a contact with the list; its impulse and points are brought up to date. */
+    private boolean isAsListed(int i) {
+        int n = at[i];
+        int bodyA = facts.bodyA[i];
+        int bodyB = facts.bodyB[i];
+        if (listed[i] != contacts.active[i] || bodyA >= 0 != n >= 0) {
+            return false;
+        }
+        if (n < 0) {
+            return true;
+        }
+        if (list.slotA[n] != mover(bodyA)
+                || list.slotB[n] != mover(bodyB)
+                || list.carrier[n] != carrier(bodyA, bodyB, true)
+                || bounces[n] != facts.bounces[i]) {
+            return false;
+        }
+        list.impulse[n] = facts.impulse[i];
+        boolean isCold = list.isBetweenMovers(n) && list.impulse[n] == 0;
+        if (cold[n] != isCold) {
+            sameColours = false;
+            cold[n] = isCold;
+        }
+        if (list.variant[n] != facts.variant[i]) {
+            sameVariants = false;
+            list.variant[n] = facts.variant[i];
+        }
+        return true;
     }
 
     /** Lists the edges, and which of them bounce; whether they are those of the last tick. */
@@ -285,11 +291,14 @@ public final class Collector implements Stateful {
                 listed[from + i] = edges.edgeRow(i);
                 at[from + i] = -1;
             }
-            order.sort(edges, bodies);
+            if (k > 0) {
+                facts.readKind(edges, bodies, from);
+            }
+            order.sort(facts, from, edges.edges(), bodies.slotCount);
             for (int j = 0; j < order.count; j++, n++) {
-                int i = order.index[j];
-                at[from + i] = n;
-                same &= list(n, k, listed[from + i], edges.edgeA(i), edges.edgeB(i));
+                int e = from + order.index[j];
+                at[e] = n;
+                same &= list(n, e, k == 0);
             }
         }
         same &= list.count == n;
@@ -300,35 +309,25 @@ public final class Collector implements Stateful {
     }
 
     /** Lists an edge; whether it has been there in the last tick. */
-    private boolean list(int n, int kind, int row, int bodyA, int bodyB) {
-        int a = mover(bodyA);
-        int b = mover(bodyB);
-        boolean isContact = kind == 0;
-        int points = isContact ? contacts.pointCount[row] : 1;
-        boolean isCold = isContact && (a | b) >= 0 && isCold(contacts, row, points);
-        int carrier = carrier(bodyA, bodyB, isContact);
+    private boolean list(int n, int e, boolean isContact) {
+        int row = listed[e];
+        int a = mover(facts.bodyA[e]);
+        int b = mover(facts.bodyB[e]);
+        boolean isCold = isContact && (a | b) >= 0 && facts.impulse[e] == 0;
+        int carrier = carrier(facts.bodyA[e], facts.bodyB[e], isContact);
         boolean same = list.source[n] == row && list.slotA[n] == a && list.slotB[n] == b;
         same &= list.carrier[n] == carrier;
         list.carrier[n] = carrier;
         sameColours &= cold[n] == isCold;
-        sameVariants &= list.variant[n] == points;
+        sameVariants &= list.variant[n] == facts.variant[e];
         list.source[n] = row;
         list.slotA[n] = a;
         list.slotB[n] = b;
-        list.variant[n] = points;
+        list.variant[n] = facts.variant[e];
+        list.impulse[n] = facts.impulse[e];
         cold[n] = isCold;
-        bounces[n] = isContact && contacts.restitution[row] > 0;
+        bounces[n] = facts.bounces[e];
         return same;
-    }
-
-    /** Whether a contact had no impulse at the end of the last tick; most such have a gap. */
-    private static boolean isCold(ContactStore c, int row, int points) {
-        int p = ContactStore.POINTS * row;
-        double sum = 0;
-        for (int end = p + points; p < end; p++) {
-            sum += c.normalImpulse[p];
-        }
-        return sum == 0;
     }
 
     /** Each edge with a kinematic body that moves has that to itself. */

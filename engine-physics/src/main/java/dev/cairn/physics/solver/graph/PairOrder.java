@@ -1,8 +1,5 @@
 package dev.cairn.physics.solver.graph;
 
-import dev.cairn.physics.internal.BodyStore;
-import dev.cairn.physics.internal.EdgeSource;
-
 import java.util.Arrays;
 
 /**
@@ -25,10 +22,15 @@ final class PairOrder {
     private int[] spare = {};
     private int[] begin = {};
 
-    /** Sorts the edges of this tick that bind a body which moves. */
-    void sort(EdgeSource edges, BodyStore bodies) {
-        int n = edges.edges();
-        int slots = bodies.slotCount;
+    /**
+     * Sorts a run of edges, but those that are not solved.
+     *
+     * @param facts which bodies they bind
+     * @param from the first of them; their numbers count from there
+     * @param n how many there are
+     * @param slots of bodies
+     */
+    void sort(EdgeFacts facts, int from, int n, int slots) {
         if (index.length < n) {
             index = new int[Math.max(n, Math.max(LEAST, index.length + (index.length >> 1)))];
             spare = new int[index.length];
@@ -37,29 +39,24 @@ final class PairOrder {
             begin = new int[Math.max(slots + 1, begin.length + (begin.length >> 1))];
         }
         count = 0;
+        begin(slots);
         for (int i = 0; i < n; i++) {
-            int a = edges.edgeA(i);
-            if (a >= 0
-                    && (bodies.kind[a] == BodyStore.DYNAMIC
-                            || bodies.kind[edges.edgeB(i)] == BodyStore.DYNAMIC)) {
+            if (facts.bodyA[from + i] >= 0) {
                 spare[count++] = i;
+                begin[facts.bodyB[from + i] + 1]++;
             }
         }
-        begin(slots);
-        for (int k = 0; k < count; k++) {
-            begin[edges.edgeB(spare[k]) + 1]++;
-        }
         sum(slots);
         for (int k = 0; k < count; k++) {
-            index[begin[edges.edgeB(spare[k])]++] = spare[k];
+            index[begin[facts.bodyB[from + spare[k]]]++] = spare[k];
         }
         begin(slots);
         for (int k = 0; k < count; k++) {
-            begin[edges.edgeA(index[k]) + 1]++;
+            begin[facts.bodyA[from + index[k]] + 1]++;
         }
         sum(slots);
         for (int k = 0; k < count; k++) {
-            spare[begin[edges.edgeA(index[k])]++] = index[k];
+            spare[begin[facts.bodyA[from + index[k]]]++] = index[k];
         }
         int[] swap = index;
         index = spare;

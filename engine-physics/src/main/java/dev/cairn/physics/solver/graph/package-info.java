@@ -3,8 +3,9 @@
  * places.
  *
  * <pre>
- *   Collector ─ PairOrder: an order by bodies ─ Batches: islands that fit a cache, Domains of those
- *   that do not ─ Colouring: no two rows of a colour move the same body ─ places in memory
+ *   Collector ─ EdgeFacts: what each edge is, read in blocks ─ PairOrder: an order by bodies ─
+ *   Batches: islands that fit a cache, Domains of those that do not ─ Colouring: no two rows of a
+ *   colour move the same body ─ places in memory
  * </pre>
  *
  * <p>All of it is a function of the contacts and of the order of their bodies; what workers decide

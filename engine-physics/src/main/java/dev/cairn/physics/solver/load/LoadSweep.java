@@ -95,11 +95,10 @@ public final class LoadSweep implements Stateful {
     private int[] end = {};
     private int[] edge = {};
 
-    /** By edge: the body that carries. */
+    /** By edge: the dynamic body that carries, or -1. */
     private int[] under = {};
 
     private int[] upper = {};
-    private double[] weight = {};
     private boolean raised;
 
     /** Whether a body is hurt, and whether a row carries another body than in the last tick. */
@@ -202,7 +201,6 @@ public final class LoadSweep implements Stateful {
             edge = new int[list.source.length];
             under = new int[edge.length];
             upper = new int[edge.length];
-            weight = new double[edge.length];
         }
     }
 
@@ -269,9 +267,6 @@ public final class LoadSweep implements Stateful {
             if (upper[m] != i) {
                 upper[m] = i;
                 moved = true; // by whoever finds one
-            }
-            if (i >= 0) {
-                weight[m] = weight(m);
             }
         }
     }
@@ -354,7 +349,7 @@ public final class LoadSweep implements Stateful {
             if (upper[m] >= 0) {
                 int e = end[upper[m]]++;
                 edge[e] = m;
-                under[e] = below(m, upper[m]);
+                under[e] = list.slotA[m] == upper[m] ? list.slotB[m] : list.slotA[m];
             }
         }
     }
@@ -394,13 +389,14 @@ public final class LoadSweep implements Stateful {
             double force = Math.max(0, load[i] + own - lift);
             double sum = 0;
             for (int e = first[i]; e < first[i + 1]; e++) {
-                sum += weight[edge[e]];
+                sum += list.impulse[edge[e]];
             }
             for (int e = first[i]; e < first[i + 1]; e++) {
                 int j = under[e];
-                if (bodies.kind[j] == BodyStore.DYNAMIC && order.isBefore(i, j)) {
+                if (j >= 0 && order.isBefore(i, j)) {
                     // in equal parts where nothing presses yet
-                    double part = sum > 0 ? weight[edge[e]] / sum : 1.0 / (first[i + 1] - first[i]);
+                    double part =
+                            sum > 0 ? list.impulse[edge[e]] / sum : 1.0 / (first[i + 1] - first[i]);
                     load[j] += force * part;
                 }
             }
@@ -420,7 +416,7 @@ public final class LoadSweep implements Stateful {
     private boolean stands(int i) {
         for (int e = first[i]; e < first[i + 1]; e++) {
             int j = under[e];
-            if (bodies.kind[j] != BodyStore.DYNAMIC) {
+            if (j < 0) {
                 return true;
             }
             if (order.isBefore(i, j) && (reason[j] & FALLS) == 0) {
@@ -428,22 +424,6 @@ public final class LoadSweep implements Stateful {
             }
         }
         return false;
-    }
-
-    private int below(int m, int i) {
-        int source = list.source[m];
-        int a = contacts.bodyA[source];
-        return a == i ? contacts.bodyB[source] : a;
-    }
-
-    private double weight(int m) {
-        int source = list.source[m];
-        double sum = 0;
-        int end = ContactStore.POINTS * source + contacts.pointCount[source];
-        for (int p = ContactStore.POINTS * source; p < end; p++) {
-            sum += contacts.normalImpulse[p];
-        }
-        return sum;
     }
 
     private void scale(int block, int worker) {

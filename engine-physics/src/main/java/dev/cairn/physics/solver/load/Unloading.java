@@ -32,8 +32,7 @@ public final class Unloading {
      * @param same whether the rows are those of the last tick: then no body has lost a contact
      * @return whether there is one
      */
-    public boolean find(
-            BodyStore b, ContactStore c, EdgeList list, double perImpulse, double g, boolean same) {
+    public boolean find(BodyStore b, EdgeList list, double perImpulse, double g, boolean same) {
         if (same) {
             clear(list);
             return false;
@@ -47,12 +46,9 @@ public final class Unloading {
         Arrays.fill(contactsNow, 0, b.slotCount, 0);
         for (int m = 0; m < list.contacts; m++) {
             list.rows(m).settleMark[list.place[m]] = 0;
-            int source = list.source[m];
-            double sum = force(c, source, perImpulse);
-            now[c.bodyA[source]] += sum;
-            now[c.bodyB[source]] += sum;
-            contactsNow[c.bodyA[source]]++;
-            contactsNow[c.bodyB[source]]++;
+            double force = list.impulse[m] * perImpulse;
+            add(list.slotA[m], force);
+            add(list.slotB[m], force);
         }
         boolean any = false;
         for (int i = 0; i < b.slotCount; i++) {
@@ -69,6 +65,13 @@ public final class Unloading {
         }
         found = any;
         return any;
+    }
+
+    private void add(int slot, double force) {
+        if (slot >= 0) {
+            now[slot] += force;
+            contactsNow[slot]++;
+        }
     }
 
     /** Takes the marks of the last tick away. */

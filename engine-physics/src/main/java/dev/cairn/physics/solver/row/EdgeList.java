@@ -52,6 +52,9 @@ public final class EdgeList implements Stateful {
      */
     public int[] variant = {};
 
+    /** By edge: the sum of its normal impulses at the end of the last tick, N s; contacts only. */
+    public double[] impulse = {};
+
     /** By edge: the place of its row among those of its kind and precision. */
     public int[] place = {};
 
@@ -128,6 +131,7 @@ public final class EdgeList implements Stateful {
             carrier = Arrays.copyOf(carrier, n);
             side = Arrays.copyOf(side, n);
             variant = Arrays.copyOf(variant, n);
+            impulse = Arrays.copyOf(impulse, n);
             place = Arrays.copyOf(place, n);
             isSingle = Arrays.copyOf(isSingle, n);
         }
