@@ -122,8 +122,7 @@ final class CommandRunsTest {
                     new There("java -jar stress/.*", SHELL, "is built there; soak"),
                     new There("bash .*", SHELL, "builds; soak"),
                     new There("(apt-get|git|cd) .*", SHELL, "in a shell; soak"),
-                    new There(
-                            "gradle run", "GradleLinesTest", "no Gradle; its lines are compared"));
+                    new There("gradle run", SHELL, "where there is a Gradle; soak"));
 
     private static final String MUG =
             """

@@ -136,8 +136,7 @@ final class CommandsTest {
         private static final Pattern FENCE =
                 Pattern.compile("```(\\w*)\\n(.*?)```", Pattern.DOTALL);
         private static final Pattern MARKED = Pattern.compile("`([^`]+)`");
-        private static final Set<String> SOURCES =
-                Set.of("java", "xml", "kotlin", "groovy", "json");
+        private static final Set<String> SOURCES = Set.of("java", "xml", "groovy", "json");
         private static final Pattern COMMAND =
                 Pattern.compile(
                         "(?:[A-Z_]+=\\S+ )*(?:mvn|java|bash|gradle|samples|apt-get|git|cd) +[^"

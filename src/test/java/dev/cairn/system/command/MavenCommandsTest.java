@@ -102,6 +102,13 @@ final class MavenCommandsTest {
                             "JAVA_HOME=$JDK mvn compile exec:exec -Dmain=FirstWindow",
                             Offscreen.unavailableReason() == null ? "FirstWindow.png" : "",
                             ""),
+                    new Step(
+                            Place.PROJECT,
+                            "gradle run",
+                            "gradle -Dmaven.repo.local=$PWD/../repository"
+                                    + " -Porg.gradle.java.installations.paths=$JDK run",
+                            "build/classes/java/main/FallingBox.class",
+                            "\\( *\\S+ +(4\\.99\\d|5\\.00\\d)E-1 "),
                     step("mvn -Prun", AS_IT_STANDS, "", "stack[ \\S]*\\s"),
                     step(
                             "java -jar samples/target/samples\\.jar --scene room"
@@ -237,6 +244,7 @@ final class MavenCommandsTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("steps")
     void runsAndLeavesWhatItSays(Step step) throws IOException, InterruptedException {
+        assumeTrue(!step.command.startsWith("gradle") || onPath("gradle"), "no Gradle here");
         Path where =
                 switch (step.place) {
                     case ABOVE -> folder;
@@ -313,15 +321,23 @@ final class MavenCommandsTest {
                 });
     }
 
-    /** The quickstart's pom and programs as they stand there. */
+    /** The quickstart's pom, lines for Gradle and programs as they stand there. */
     private static void project(Path to) throws IOException {
         String page = Files.readString(DocsTest.ROOT.resolve("docs/quickstart.md"));
-        Matcher block = Pattern.compile("```(java|xml)\\n(.*?)```", Pattern.DOTALL).matcher(page);
+        Matcher block =
+                Pattern.compile("```(java|xml|groovy)\\n(.*?)```", Pattern.DOTALL).matcher(page);
         Path sources = Files.createDirectories(to.resolve("src/main/java"));
         while (block.find()) {
             Matcher name = Pattern.compile("public class (\\w+)").matcher(block.group(2));
-            boolean java = block.group(1).equals("java") && name.find();
-            Path file = java ? sources.resolve(name.group(1) + ".java") : to.resolve("pom.xml");
+            Path file =
+                    switch (block.group(1)) {
+                        case "xml" -> to.resolve("pom.xml");
+                        case "groovy" -> to.resolve("build.gradle");
+                        default -> {
+                            assertTrue(name.find(), () -> "no class in " + block.group(2));
+                            yield sources.resolve(name.group(1) + ".java");
+                        }
+                    };
             Files.writeString(file, block.group(2));
         }
     }
