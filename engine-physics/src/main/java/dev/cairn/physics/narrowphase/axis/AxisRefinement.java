@@ -67,7 +67,7 @@ public final class AxisRefinement {
     /** See {@link #isOptimal}. */
     final OptimalityTest optimality = new OptimalityTest(sideA, sideB);
 
-    private Pair pair;
+    private Pair pair = Pair.NONE;
     private double nx, ny, nz;
     private double startX, startY, startZ;
 

@@ -53,7 +53,7 @@ final class CandidateFeatures {
     final int[] edge = new int[EDGES];
 
     private final boolean flip;
-    private Pair pair;
+    private Pair pair = Pair.NONE;
     private boolean wide;
 
     CandidateFeatures(boolean ofB) {

@@ -22,7 +22,7 @@ final class SupportFeature {
 
     private final CandidateFeatures side;
     private final boolean flip;
-    private Pair pair;
+    private Pair pair = Pair.NONE;
 
     SupportFeature(CandidateFeatures side, boolean ofB) {
         this.side = side;

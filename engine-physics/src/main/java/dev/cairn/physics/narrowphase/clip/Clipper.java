@@ -57,7 +57,7 @@ public final class Clipper {
 
     private Polyhedron other = reference;
     private final IncidentPlane plane = new IncidentPlane();
-    private Pair pair;
+    private Pair pair = Pair.NONE;
 
     /**
      * Fills the corners with separation up to the margin, in the reference's frame.

@@ -15,7 +15,7 @@ import dev.cairn.physics.narrowphase.pair.Pair;
 public final class Overlay {
     public final Clipper out = new Clipper();
 
-    private Pair pair;
+    private Pair pair = Pair.NONE;
     private Patch ref = new Patch(), inc = new Patch();
     private double nx, ny, nz;
     private double slack, slackBefore;

@@ -65,7 +65,7 @@ public final class Patch {
     /** {@link FeatureIds#VERTEX_A} or {@link FeatureIds#VERTEX_B}. */
     public int kind;
 
-    private Pair pair;
+    private Pair pair = Pair.NONE;
 
     /** Looks along a unit direction of A's frame. */
     public void fill(Pair p, boolean ofB, double dx, double dy, double dz) {

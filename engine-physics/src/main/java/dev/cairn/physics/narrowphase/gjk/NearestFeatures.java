@@ -16,7 +16,7 @@ public final class NearestFeatures {
     /** Unit axis from A to B in A's frame, and the distance along it, m. */
     public double axisX, axisY, axisZ, distance;
 
-    private Pair pair;
+    private Pair pair = Pair.NONE;
 
     /** After a run that ended apart. */
     public void measure(Pair p, Gjk g) {

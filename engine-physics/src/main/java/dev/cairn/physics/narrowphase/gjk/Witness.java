@@ -33,7 +33,7 @@ public final class Witness {
     private static final double ON = 0x1p-46;
 
     private final Gjk gjk = new Gjk();
-    private Pair pair;
+    private Pair pair = Pair.NONE;
     private double nx, ny, nz, cores;
 
     /** Midway between the two points, in A's frame. */

@@ -32,7 +32,7 @@ final class RimSearch {
     private TriangleSet set = MeshBuilder.nothing();
     private TriangleSet.Found found = new TriangleSet.Found();
     private Shape shape = view;
-    private Pair pair;
+    private Pair pair = Pair.NONE;
     private double qx, qy, qz, qw, cx, cy, cz, margin, tolerance;
 
     /** The triangle at hand: its unit normal towards the shape, and 1, or -1 from the back. */

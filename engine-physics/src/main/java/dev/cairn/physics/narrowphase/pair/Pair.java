@@ -12,9 +12,12 @@ import dev.cairn.physics.shape.polyhedron.Polyhedron;
  * world's.
  */
 public final class Pair {
-    private static final Polyhedron NONE = Polyhedron.of(Box.cubeOfHalfExtent(1));
+    private static final Polyhedron NO_CORE = Polyhedron.of(Box.cubeOfHalfExtent(1));
 
-    public Polyhedron a = NONE, b = NONE;
+    /** Of no shapes, and never set: what a search has before its first pair. */
+    public static final Pair NONE = new Pair();
+
+    public Polyhedron a = NO_CORE, b = NO_CORE;
 
     /** The core is no polyhedron; {@link #a} or {@link #b} is then meaningless. */
     public boolean roundA, roundB;
@@ -66,8 +69,8 @@ public final class Pair {
             double wz) {
         a = polyhedron(shapeA);
         b = polyhedron(shapeB);
-        roundA = a == NONE && solidA.set(shapeA);
-        roundB = b == NONE && solidB.set(shapeB);
+        roundA = a == NO_CORE && solidA.set(shapeA);
+        roundB = b == NO_CORE && solidB.set(shapeB);
         radiusA = roundA ? solidA.round : 0;
         radiusB = roundB ? solidB.round : 0;
         inner = Math.min(shapeA.innerRadius(), shapeB.innerRadius());
@@ -88,7 +91,7 @@ public final class Pair {
     }
 
     private static Polyhedron polyhedron(Shape shape) {
-        return shape instanceof Polyhedral p ? Polyhedron.of(p) : NONE;
+        return shape instanceof Polyhedral p ? Polyhedron.of(p) : NO_CORE;
     }
 
     /**
