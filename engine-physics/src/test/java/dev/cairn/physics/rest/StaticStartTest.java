@@ -42,6 +42,35 @@ class StaticStartTest {
         }
     }
 
+    /**
+     * Towers whose load takes thousands of plain sweeps to come down to the ground: each body stays
+     * where it was put, with whatever is above it.
+     */
+    @ParameterizedTest
+    @CsvSource({"30, 1", "6, 1.5", "8, 0.8"})
+    void aTowerStandsFromTheFirstTickOn(int bodies, double growth) {
+        try (PhysicsWorld world = world(4, 1, 1)) {
+            Scenes.ground(world);
+            double top = 0;
+            double half = 0.5;
+            double[] heights = new double[bodies];
+            BodyRef[] tower = new BodyRef[bodies];
+            for (int i = 0; i < bodies; i++) {
+                heights[i] = top + half;
+                Body body = Body.dynamic().shape(Box.cubeOfHalfExtent(half));
+                tower[i] = world.add(body.at(0, heights[i], 0));
+                top += 2 * half;
+                half *= growth;
+            }
+            for (int tick = 0; tick < 60; tick++) {
+                world.step(Scenes.STEP);
+                for (int i = 0; i < bodies; i++) {
+                    assertEquals(heights[i], tower[i].position().y, 1e-8, "tick " + tick);
+                }
+            }
+        }
+    }
+
     /** A house of thin cards, which has fallen where its contacts learn of the load by and by. */
     @ParameterizedTest
     @ValueSource(ints = {2, 4})

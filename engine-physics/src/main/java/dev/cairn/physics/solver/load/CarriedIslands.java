@@ -31,19 +31,11 @@ public final class CarriedIslands extends StaticStart {
      */
     private static final int VISITS = 1 << 13;
 
-    /** A leap that did not help was too long, by so much; after one that did it may be longer. */
-    private static final double SHORTER = 0.25, LONGER = 2;
-
-    /** By smallest slot of an island: change of the sweep before the last leap. */
-    private double[] atLeap = {};
-
     /** By place of rows in doubles and in floats: whether the row is of an island that rides. */
     private boolean[] doubles = {}, floats = {};
 
-    /** By smallest slot of an island: whether it rides; its sweeps in a sub-step. */
+    /** By smallest slot of an island: whether it rides. */
     private boolean[] rides = {};
-
-    private int[] most = {};
 
     /** By smallest slot: change of the frame's velocity over the tick, m/s, three numbers. */
     private double[] ramp = {};
@@ -54,6 +46,11 @@ public final class CarriedIslands extends StaticStart {
     /** What is left is gone in the next sub-step. */
     public CarriedIslands() {
         agrees = 1e-10;
+    }
+
+    @Override
+    SweepLeaps leaps() {
+        return new AitkenLeaps();
     }
 
     /**
@@ -70,13 +67,13 @@ public final class CarriedIslands extends StaticStart {
             return;
         }
         loose = BALANCED * BALANCED * gain * gain;
-        ensureCapacity(b, c);
+        ensureCapacity(b);
         ensureRiders(b, c, list);
         gather(b, list);
         clear(b, list);
         for (int m = 0; m < list.count; m++) {
             int root = island[list.mover(m)];
-            most[root]++;
+            rowsOf[root]++;
             // for now: whether the island does not ride
             swept[root] |= m >= list.contacts || !joinsFrame(b, c, list, m, root);
             if (m < list.contacts && surges(b, c, list.source[m])) {
@@ -94,18 +91,19 @@ public final class CarriedIslands extends StaticStart {
         }
         for (int m = 0; m < list.contacts; m++) {
             int root = island[list.mover(m)];
-            rides[root] &= !swept[root] && VISITS / most[root] >= FEWEST;
+            rides[root] &= !swept[root] && VISITS / rowsOf[root] >= FEWEST;
             if (rides[root]) {
                 (list.rows(m).isSingle ? floats : doubles)[list.place[m]] = true;
                 found = true;
             }
         }
-        for (int i = 0; i < b.slotCount; i++) {
-            int rows = Math.max(1, most[i]);
-            most[i] = Math.min(sweeps, VISITS / rows);
+        for (int k = 0; k < slotsUsed; k++) {
+            int i = slots[k];
             swept[i] = false;
-            change[i] = 0;
-            largest[i] = 0;
+            if (island[i] == i && rides[i]) {
+                sweepsLeft[i] = Math.min(sweeps, VISITS / rowsOf[i]);
+                reserve(i);
+            }
         }
     }
 
@@ -114,20 +112,16 @@ public final class CarriedIslands extends StaticStart {
         Arrays.fill(doubles, 0, list.doubles.places, false);
         Arrays.fill(floats, 0, list.floats.places, false);
         Arrays.fill(rides, 0, n, false);
-        Arrays.fill(most, 0, n, 0);
         Arrays.fill(swept, 0, n, false);
         Arrays.fill(framed, 0, n, false);
         Arrays.fill(frame, 0, 3 * n, 0.0);
         Arrays.fill(ramp, 0, 3 * n, 0.0);
-        Arrays.fill(taken, 0, n, -1);
     }
 
     private void ensureRiders(BodyStore b, ContactStore c, EdgeList list) {
         if (rides.length < b.slotCount) {
             int n = b.kind.length;
             rides = new boolean[n];
-            most = new int[n];
-            atLeap = new double[n];
             ramp = new double[3 * n];
         }
         if (doubles.length < list.doubles.places) {
@@ -182,39 +176,17 @@ public final class CarriedIslands extends StaticStart {
         return (rows.isSingle ? floats : doubles)[place];
     }
 
+    /** All are swept in each sub-step. */
     @Override
     void open(ConstraintRows rows, SolverBodies bodies, int from, int to) {
         for (int j = from; j < to; j++) {
-            if (!has(rows, j)) {
-                continue;
-            }
-            for (int side = 0; side < 2; side++) {
+            for (int side = 0; side < 2 && has(rows, j); side++) {
                 int at = rows.link[ConstraintRows.LINK * j + side];
                 if (bodies.state[at + SolverBodies.MASS] != 0) {
-                    int root = islandOf(at);
-                    taken[SolverBodies.slot(at)] = -1;
-                    sweepsLeft[root] = most[root];
-                    before[root] = 0;
-                    longest[root] = LONGEST;
-                    atLeap[root] = Double.POSITIVE_INFINITY;
-                    largest[root] = 0;
+                    swept[islandOf(at)] = false;
                 }
             }
         }
-    }
-
-    /**
-     * Where contacts open, slip and close the error is not one that falls by a constant share, and
-     * leaps may lead astray again and again. One without a profit by the next is made shorter. A
-     * start from nothing, which is far, needs the long ones.
-     */
-    @Override
-    void beforeLeap(int root, double now) {
-        longest[root] =
-                now < atLeap[root]
-                        ? Math.min(LONGER * longest[root], LONGEST)
-                        : SHORTER * leapt[root];
-        atLeap[root] = now;
     }
 
     @Override

@@ -16,6 +16,12 @@ import dev.cairn.physics.solver.row.SubStep;
 
 /** The rows of islands that start at rest, swept until they agree, see {@link StaticStart}. */
 public final class StartSweep implements StartPass {
+    /** Changes below this share of the largest impulse that do not get smaller are rounding. */
+    private static final double ROUNDING = 1e-10;
+
+    /** Sweeps in which a change has not come to half of the least so far. */
+    private static final int PATIENCE = 16;
+
     @Override
     public void start(
             ConstraintRows rows,
@@ -27,121 +33,158 @@ public final class StartSweep implements StartPass {
             int from,
             int to,
             Scratch scratch) {
-        double[] body = bodies.state;
         double at = (index + 0.5) / sub.count - 0.5;
         islands.open(rows, bodies, from, to);
         for (int j = from; j < to; j++) {
-            if (islands.has(rows, j)) {
-                keep(rows, islands, j);
-            }
-        }
-        boolean again = true;
-        for (int sweep = 0; again; sweep++) {
-            for (int j = from; j < to; j++) {
-                if (islands.has(rows, j)) {
-                    again(rows, body, sub, islands, j, scratch.doubles);
+            int root = islands.has(rows, j) ? root(rows, bodies.state, islands, j) : -1;
+            if (root >= 0 && islands.begins(root)) {
+                SweepLeaps leaps = islands.leaps(root);
+                list(rows, bodies.state, islands, root, j, to, leaps);
+                sweep(rows, bodies.state, sub, islands, root, leaps, scratch.doubles);
+                boolean isBalanced = isAtRest(bodies.state, islands, root, at, leaps);
+                for (int k = 0; k < leaps.rows; k++) {
+                    islands.leave(rows, leaps.place[k], isBalanced);
+                    if (isBalanced) {
+                        preload(rows, bodies.state, contacts, sub, islands, leaps.place[k]);
+                    } else {
+                        forget(rows, bodies, islands, leaps.place[k]);
+                    }
                 }
             }
-            again = false;
-            for (int j = from; j < to; j++) {
-                if (islands.has(rows, j)) {
-                    again |= islands.goesOn(root(rows, body, islands, j), sweep);
-                }
-            }
-            if (again && StaticStart.isLookedAt(sweep)) {
-                leap(rows, body, islands, sweep, from, to);
-            }
         }
+    }
+
+    /** Lists the rows and bodies of an island. */
+    private static void list(
+            ConstraintRows rows,
+            double[] body,
+            StaticStart islands,
+            int root,
+            int from,
+            int to,
+            SweepLeaps leaps) {
         for (int j = from; j < to; j++) {
-            if (islands.has(rows, j)) {
-                int l = j * LINK;
-                int root = root(rows, body, islands, j);
-                islands.moves(root, speed(body, rows.link[l], islands, root, at));
-                islands.moves(root, speed(body, rows.link[l + 1], islands, root, at));
-            }
-        }
-        for (int j = from; j < to; j++) {
-            if (!islands.has(rows, j)) {
+            if (!islands.has(rows, j) || root(rows, body, islands, j) != root) {
                 continue;
             }
-            boolean isBalanced = islands.isBalanced(root(rows, body, islands, j));
-            islands.leave(rows, j, isBalanced);
-            if (isBalanced) {
-                preload(rows, body, contacts, sub, islands, j);
-            } else {
-                forget(rows, bodies, islands, j);
+            keep(rows, islands, j);
+            leaps.place[leaps.rows++] = j;
+            for (int side = 0; side < 2; side++) {
+                int at = rows.link[j * LINK + side];
+                if (body[at + MASS] != 0 && islands.takes(SolverBodies.slot(at))) {
+                    leaps.body[leaps.bodies++] = at;
+                }
+            }
+        }
+        for (int k = 0; k < leaps.bodies; k++) {
+            islands.putBack(SolverBodies.slot(leaps.body[k]));
+        }
+    }
+
+    /** Sweeps an island until its impulses agree, or for as often as it may be. */
+    private static void sweep(
+            ConstraintRows rows,
+            double[] body,
+            SubStep sub,
+            StaticStart islands,
+            int root,
+            SweepLeaps leaps,
+            double[] st) {
+        read(rows, body, leaps, true);
+        double least = Double.POSITIVE_INFINITY;
+        int inVain = 0;
+        for (int left = islands.sweeps(root); left > 0; left--) {
+            double change = 0;
+            double largest = 0;
+            for (int k = 0; k < leaps.rows; k++) {
+                int j = leaps.place[k];
+                change = Math.max(change, again(rows, body, sub, j, st));
+                int points = rows.link[j * LINK + ConstraintRows.COUNT];
+                double load = RowArithmetic.largest(rows.doubles, rows.base(j), rows.lanes, points);
+                largest = Math.max(largest, load);
+            }
+            inVain = change < least / 2 ? 0 : inVain + 1;
+            least = inVain == 0 ? change : least;
+            boolean isRounding = inVain > PATIENCE && change < ROUNDING * largest;
+            if (!(change > islands.agrees * largest) || isRounding) {
+                return;
+            }
+            if (left > 1) {
+                read(rows, body, leaps, false);
+                leaps.leap(change);
+                write(rows, body, leaps);
             }
         }
     }
 
-    /**
-     * Remembers impulses and velocities, or goes on from there as the last sweep did: velocities
-     * are linear in impulses, so that both stay in step.
-     */
-    private static void leap(
-            ConstraintRows rows, double[] body, StaticStart islands, int sweep, int from, int to) {
-        boolean leaps = StaticStart.leaps(sweep);
-        for (int pass = leaps ? 0 : 1; pass < 2; pass++) {
-            for (int j = from; j < to; j++) {
-                int root = islands.has(rows, j) ? root(rows, body, islands, j) : -1;
-                if (root < 0 || !islands.isOpen(root)) {
-                    continue;
-                }
-                if (pass == 0) {
-                    bound(rows, islands, root, j);
-                } else {
-                    leap(rows, islands, root, j, leaps);
-                    leap(body, islands, root, rows.link[j * LINK], sweep);
-                    leap(body, islands, root, rows.link[j * LINK + 1], sweep);
-                }
-            }
-        }
-    }
-
-    /** No normal impulse may become negative. */
-    private static void bound(ConstraintRows rows, StaticStart islands, int root, int j) {
-        int o = rows.base(j);
-        for (int p = 0; p < rows.link[j * LINK + ConstraintRows.COUNT]; p++) {
-            int q = o + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * rows.lanes;
-            double impulse = rows.doubles[q + ConstraintRows.IMPULSE * rows.lanes];
-            islands.bound(root, rows.link[j * LINK + ConstraintRows.SOURCE], p, impulse);
-        }
-    }
-
-    private static void leap(
-            ConstraintRows rows, StaticStart islands, int root, int j, boolean leaps) {
+    private static void read(
+            ConstraintRows rows, double[] body, SweepLeaps leaps, boolean isStart) {
         double[] d = rows.doubles;
         int lanes = rows.lanes;
-        int o = rows.base(j);
-        int source = rows.link[j * LINK + ConstraintRows.SOURCE];
-        for (int p = 0; p < rows.link[j * LINK + ConstraintRows.COUNT]; p++) {
-            int q = o + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * lanes;
-            int at = q + ConstraintRows.IMPULSE * lanes;
-            d[at] = /*(float)*/ islands.impulse(root, source, p, d[at], leaps);
+        for (int k = 0; k < leaps.rows; k++) {
+            int o = rows.base(leaps.place[k]);
+            int points = rows.link[leaps.place[k] * LINK + ConstraintRows.COUNT];
+            int n = SweepLeaps.COUNTED * k;
+            for (int p = 0; p < ContactStore.POINTS; p++) {
+                tell(leaps, n + p, p < points ? d[impulse(o, lanes, p)] : 0, isStart);
+            }
+            int f = o + ConstraintRows.LAMBDA * lanes;
+            tell(leaps, n + ContactStore.POINTS, d[f], isStart);
+            tell(leaps, n + ContactStore.POINTS + 1, d[f + lanes], isStart);
+            tell(leaps, leaps.twist(k), d[f + 2 * lanes], isStart);
         }
-        for (int f = 0; f < 3; f++) {
-            int at = o + (ConstraintRows.LAMBDA + f) * lanes;
-            int k = ContactStore.POINTS + f;
-            d[at] = /*(float)*/ islands.impulse(root, source, k, d[at], leaps);
+        for (int k = 0; k < leaps.bodies; k++) {
+            for (int i = 0; i < SweepLeaps.SPEEDS; i++) {
+                tell(leaps, leaps.speed(k) + i, body[leaps.body[k] + i], isStart);
+            }
         }
     }
 
-    private static void leap(double[] body, StaticStart islands, int root, int at, int sweep) {
-        int slot = SolverBodies.slot(at);
-        if (body[at + MASS] == 0 || !islands.takes(slot, sweep)) {
-            return;
+    private static void tell(SweepLeaps leaps, int at, double value, boolean isStart) {
+        if (isStart) {
+            leaps.start(at, value);
+        } else {
+            leaps.end(at, value);
         }
-        boolean leaps = StaticStart.leaps(sweep);
-        for (int k = 0; k < 6; k++) {
-            body[at + k] = /*(float)*/ islands.speed(root, slot, k, body[at + k], leaps);
+    }
+
+    private static void write(ConstraintRows rows, double[] body, SweepLeaps leaps) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        for (int k = 0; k < leaps.rows; k++) {
+            int o = rows.base(leaps.place[k]);
+            int n = SweepLeaps.COUNTED * k;
+            for (int p = 0; p < rows.link[leaps.place[k] * LINK + ConstraintRows.COUNT]; p++) {
+                d[impulse(o, lanes, p)] = /*(float)*/ leaps.next(n + p);
+            }
+            int f = o + ConstraintRows.LAMBDA * lanes;
+            d[f] = /*(float)*/ leaps.next(n + ContactStore.POINTS);
+            d[f + lanes] = /*(float)*/ leaps.next(n + ContactStore.POINTS + 1);
+            d[f + 2 * lanes] = /*(float)*/ leaps.next(leaps.twist(k));
         }
+        for (int k = 0; k < leaps.bodies; k++) {
+            for (int i = 0; i < SweepLeaps.SPEEDS; i++) {
+                body[leaps.body[k] + i] = /*(float)*/ leaps.next(leaps.speed(k) + i);
+            }
+        }
+    }
+
+    private static int impulse(int o, int lanes, int point) {
+        int q = ConstraintRows.POINT + point * ConstraintRows.POINT_FIELDS;
+        return o + (q + ConstraintRows.IMPULSE) * lanes;
+    }
+
+    private static boolean isAtRest(
+            double[] body, StaticStart islands, int root, double at, SweepLeaps leaps) {
+        double most = 0;
+        for (int k = 0; k < leaps.bodies; k++) {
+            most = Math.max(most, speed(body, leaps.body[k], islands, root, at));
+        }
+        return most < islands.loose;
     }
 
     /** Square of the speed that a body has left, its turn weighed in: {@code v² + w'²/m}. */
     private static double speed(double[] body, int o, StaticStart islands, int root, double at) {
-        if (body[o + MASS] == 0) {
-            return 0;
-        }
         double x = body[o] - /*(float)*/ islands.frame(root, 0, at);
         double y = body[o + 1] - /*(float)*/ islands.frame(root, 1, at);
         double z = body[o + 2] - /*(float)*/ islands.frame(root, 2, at);
@@ -195,18 +238,9 @@ public final class StartSweep implements StartPass {
         return islands.islandOf(body[a + MASS] == 0 ? rows.link[j * LINK + 1] : a);
     }
 
-    /** One more sweep over a row of an island that starts. */
-    private static void again(
-            ConstraintRows rows,
-            double[] body,
-            SubStep sub,
-            StaticStart islands,
-            int j,
-            double[] st) {
-        int root = root(rows, body, islands, j);
-        if (!islands.isOpen(root)) {
-            return;
-        }
+    /** One more sweep over a row of an island that starts; the largest change of an impulse. */
+    private static double again(
+            ConstraintRows rows, double[] body, SubStep sub, int j, double[] st) {
         double[] d = rows.doubles;
         int lanes = rows.lanes;
         int a = rows.link[j * LINK];
@@ -233,7 +267,7 @@ public final class StartSweep implements StartPass {
                 change = Math.max(change, Math.abs(d[f + 2 * lanes] - twist) / radius);
             }
         }
-        islands.note(root, change, RowArithmetic.largest(d, o, lanes, n));
+        return change;
     }
 
     /** Of a patch, m: the distance of its farthest point from its middle; 0 if it has one point. */
