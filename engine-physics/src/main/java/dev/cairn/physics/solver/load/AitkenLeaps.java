@@ -6,7 +6,7 @@ package dev.cairn.physics.solver.load;
  *
  * <p>If each sweep leaves the share q of an error, then what is left after one is q/(1 - q) of what
  * it did. Every fourth sweep the share is measured, and all numbers leap as far. Sweeps that are
- * longer past, as {@link SweepMixing} goes by, lead astray here: of 1200 rides 8 slipped with it.
+ * longer past, as {@link SweepMixing} goes by, lead astray here: of 1200 rides 5 slipped with it.
  *
  * <p>Source: A. C. Aitken, "On Bernoulli's numerical solution of algebraic equations", Proceedings
  * of the Royal Society of Edinburgh 46 (1926).
