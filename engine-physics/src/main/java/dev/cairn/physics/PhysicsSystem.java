@@ -199,6 +199,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
             sweeps.strike(
                     table.broadPhase,
                     settings.tuning().get(Tunable.RESTITUTION_THRESHOLD),
+                    settings.substeps(),
                     hooks.get() != null);
             seams.join(tick.stepSeconds(), tick.jobs());
             patches.join(tick.jobs());

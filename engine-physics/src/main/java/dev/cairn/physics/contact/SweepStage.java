@@ -242,9 +242,11 @@ public final class SweepStage {
      *
      * @param broadPhase boxes of the tick
      * @param bounceSpeed closing speed up to which nothing bounces, m/s
+     * @param substeps of the solver
      * @param isHooked whether a hook may let bodies through
      */
-    public void strike(BroadPhase broadPhase, double bounceSpeed, boolean isHooked) {
+    public void strike(
+            BroadPhase broadPhase, double bounceSpeed, int substeps, boolean isHooked) {
         ImpactStage stage = impacts;
         if (stage == null) {
             return;
@@ -262,7 +264,7 @@ public final class SweepStage {
             }
         }
         if (strikes) {
-            stage.run(broadPhase, bounds.start, bounceSpeed);
+            stage.run(broadPhase, bounds.start, bounceSpeed, substeps);
         }
     }
 

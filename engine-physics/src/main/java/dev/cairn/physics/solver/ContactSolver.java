@@ -203,6 +203,7 @@ public final class ContactSolver {
                         contacts,
                         list,
                         tick.body.guide,
+                        tick.body.lost,
                         jobs.workers(),
                         tick.settings.count(Tunable.FLOATS_FROM),
                         jobs);
@@ -293,6 +294,7 @@ public final class ContactSolver {
             for (int d = 0; d < supports.direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
             }
+            p.press(sub, head, tail, own);
             if (small) {
                 p.guard(sub, from, to);
             }

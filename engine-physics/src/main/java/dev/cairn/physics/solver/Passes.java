@@ -235,6 +235,18 @@ final class Passes {
         }
     }
 
+    /** Sweeps what the bias pass turns far until it agrees; bodies with a guide. */
+    void press(SubStep sub, int from, int to, WorkerScratch local) {
+        for (int k = from; k < to; k++) {
+            int i = tick.order[k];
+            if (isGuided(i)) {
+                add(i);
+                local.single.press(tick, rows, sub, i, local.scratch);
+                round(i);
+            }
+        }
+    }
+
     void drift(SubStep sub, int from, int to) {
         double[] g = tick.gravity;
         // in three loops: a turn is one long chain, and short bodies of a loop overlap

@@ -39,6 +39,7 @@ public final class ImpactStage {
     private final StruckBodies bodies;
     private final TrackedBodies tracked;
     private final ImpactSearch search;
+    private final LeftBodies left;
 
     /** The material of two colliders that have no row. */
     private final ContactStore mixed = new ContactStore();
@@ -72,6 +73,7 @@ public final class ImpactStage {
         bodies = new StruckBodies(colliders, contacts);
         tracked = new TrackedBodies(colliders, contacts, bodies, pair, queue);
         search = new ImpactSearch(colliders, bodies, pair, queue);
+        left = new LeftBodies(colliders, contacts, bodies);
     }
 
     /**
@@ -87,6 +89,7 @@ public final class ImpactStage {
         pair.use(freedom);
         tracked.begin();
         bodies.begin(freedom);
+        left.clear();
         results.clear();
         results.reserve(colliders.bodies.kind.length, contacts.bodyA.length);
         queue.clear();
@@ -139,8 +142,9 @@ public final class ImpactStage {
      * @param boxes of the tick
      * @param starts by collider, where its way is looked at from; written for struck bodies
      * @param bounceSpeed closing speed up to which nothing bounces, m/s
+     * @param substeps of the solver
      */
-    public void run(BroadPhase boxes, double[] starts, double bounceSpeed) {
+    public void run(BroadPhase boxes, double[] starts, double bounceSpeed, int substeps) {
         start = starts;
         threshold = bounceSpeed;
         bodies.link();
@@ -166,6 +170,7 @@ public final class ImpactStage {
             }
             strikeTaken(first);
         }
+        left.settle(step / substeps);
         tracked.release();
     }
 
@@ -239,6 +244,7 @@ public final class ImpactStage {
     private void leave(int first, int second, int row, double time) {
         int a = colliders.body[first];
         int b = colliders.body[second];
+        boolean wasClosed = bodies.closed[a] || bodies.closed[b];
         bodies.closed[a] = colliders.bodies.kind[a] == BodyStore.DYNAMIC;
         bodies.closed[b] = colliders.bodies.kind[b] == BodyStore.DYNAMIC;
         boolean isStruck = bodies.impacts[a] > 0 || bodies.impacts[b] > 0;
@@ -249,6 +255,9 @@ public final class ImpactStage {
             int body = side == 0 ? a : b;
             if (!bodies.closed[body] || bodies.impacts[body] == 0 || bodies.free[body] != 0) {
                 continue;
+            }
+            if (row >= 0 && !wasClosed) {
+                left.add(body, body == contacts.bodyA[row] ? pair.first() : pair.second(), time);
             }
             for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
                 int each = link >> 1;

@@ -99,6 +99,7 @@ public final class Collector implements Stateful {
      * Brings rows, guides, batches and colours up to date.
      *
      * @param guide receives which bodies have edges, see {@link SolverBodies#guide}
+     * @param lost bodies that get no guide while they have edges; cleared for the others
      * @param workerCount workers that may work at batches
      * @param floatsFrom rows of an island that are floats if there are as many
      * @param jobs runs the look at contacts
@@ -109,6 +110,7 @@ public final class Collector implements Stateful {
             ContactStore contactStore,
             EdgeList edges,
             int[] guide,
+            boolean[] lost,
             int workerCount,
             int floatsFrom,
             Jobs jobs) {
@@ -129,7 +131,7 @@ public final class Collector implements Stateful {
         if (isAnew) {
             slots = bodies.slotCount;
             workers = workerCount;
-            bind(guide);
+            bind(guide, lost);
             batches.cut(list, slots, guide, workerCount, floatsFrom, assemblies);
             listSides();
             assemblies.stand(list);
@@ -346,7 +348,7 @@ public final class Collector implements Stateful {
      * Tells which bodies have edges. A body on nothing but one contact with a static body is
      * guided.
      */
-    private void bind(int[] guide) {
+    private void bind(int[] guide, boolean[] lost) {
         Arrays.fill(guide, 0, slots, SolverBodies.FREE);
         stacked = false;
         for (int m = 0; m < list.count; m++) {
@@ -360,8 +362,11 @@ public final class Collector implements Stateful {
                 int i = Math.max(a, b);
                 boolean isOnly = guides && guide[i] == SolverBodies.FREE && m < list.contacts;
                 isOnly &= list.carrier[m] < 0;
-                guide[i] = isOnly ? m : SolverBodies.BOUND;
+                guide[i] = isOnly && !lost[i] ? m : SolverBodies.BOUND;
             }
+        }
+        for (int i = 0; i < slots; i++) {
+            lost[i] &= guide[i] != SolverBodies.FREE;
         }
     }
 

@@ -153,7 +153,55 @@ public final class Impacts {
             }
             any |= again;
         }
+        for (int k = from; k < to && any; k++) {
+            if (met[k - from] > 0 && !balls.isPair(bouncer[k])) {
+                open(bouncer[k]);
+                lift(tick.gravity, h);
+            }
+        }
         return any;
+    }
+
+    /**
+     * Starts a body higher that an impact has left closing with something static, so that the
+     * contact will press before the sub-step ends. Its start is that of the parabola which leads to
+     * the surface at the time t of the impact; but what presses moves in a straight line, and would
+     * come to lie {@code a t²/2} below.
+     */
+    private void lift(double[] g, double h) {
+        if (a != 0 && b != 0) {
+            return;
+        }
+        int at = a + b;
+        if (!bodies.isMoved(at)) {
+            return;
+        }
+        double an = along(g);
+        double time = bodies.impactTime[SolverBodies.slot(at)];
+        double height = -0.5 * an * time * time;
+        if (!(height > 0)) {
+            return;
+        }
+        boolean presses = false;
+        for (int p = 0; p < points; p++) {
+            double v = impact.speed(p) + h * an;
+            double gap = impact.gap(p) + height;
+            presses |= (gap > 0 ? gap + h * v : v) < 0;
+        }
+        double up = b == 0 ? -height : height;
+        for (int c = 0; c < 3 && presses; c++) {
+            body[at + SolverBodies.P + c] += up * d[o + c * lanes];
+        }
+    }
+
+    /** Relative acceleration along the normal of the row in work. */
+    private double along(double[] g) {
+        accelerate(a, g, acceleration, 0);
+        accelerate(b, g, acceleration, 3);
+        double[] f = acceleration;
+        return d[o] * (f[3] - f[0])
+                + d[o + lanes] * (f[4] - f[1])
+                + d[o + 2 * lanes] * (f[5] - f[2]);
     }
 
     private boolean meets(SolverContext tick, int row, int k, double h, double threshold) {
@@ -238,13 +286,7 @@ public final class Impacts {
     }
 
     private boolean impact(double restitution, double[] g, double h, double threshold) {
-        accelerate(a, g, acceleration, 0);
-        accelerate(b, g, acceleration, 3);
-        double[] f = acceleration;
-        double an =
-                d[o] * (f[3] - f[0])
-                        + d[o + lanes] * (f[4] - f[1])
-                        + d[o + 2 * lanes] * (f[5] - f[2]);
+        double an = along(g);
         double time = Double.POSITIVE_INFINITY;
         for (int p = 0; p < points; p++) {
             time = Math.min(time, timeOfImpact(impact.gap(p), impact.speed(p), an, h, threshold));

@@ -38,9 +38,13 @@ public final class CoreGuard {
     /** By place: gap of the ball at the tick's start, m; infinite where nothing is guarded. */
     private double[] gap = {};
 
+    /** By place: a point overlaps by more than the ball leaves room for. */
+    private boolean[] deep = {};
+
     public void ensurePlaces(int places) {
         if (gap.length < places) {
             gap = new double[places];
+            deep = new boolean[places];
         }
     }
 
@@ -59,6 +63,7 @@ public final class CoreGuard {
             if (b.collider[slot] == slot) {
                 int source = rows.link[l + SOURCE];
                 gap[j] = height(c, source, a == 0) - CORE * b.innerRadius[slot];
+                deep[j] = isDeep(c, source, CORE * b.innerRadius[slot]);
             }
         }
     }
@@ -81,14 +86,26 @@ public final class CoreGuard {
             double ny = sign * rows.get(k + rows.lanes);
             double nz = sign * rows.get(k + 2 * rows.lanes);
             double speed = nx * v[o] + ny * v[o + 1] + nz * v[o + 2];
-            if (speed < 0) {
-                int p = o + SolverBodies.P;
-                double moved = nx * v[p] + ny * v[p + 1] + nz * v[p + 2];
-                double change = -Math.max(gap[j] + moved, 0) * sub.inverse - speed;
-                if (change > 0 && presses(rows, j)) {
-                    push(rows, s, j, o, change * nx, change * ny, change * nz, change);
-                }
+            int p = o + SolverBodies.P;
+            double now = gap[j] + nx * v[p] + ny * v[p + 1] + nz * v[p + 2];
+            double change = -Math.max(now, 0) * sub.inverse - speed;
+            boolean closes = speed < 0 && change > 0;
+            double least = Math.min(gap[j], 0);
+            double end = now + sub.seconds * (closes ? speed + change : speed);
+            boolean sinks = v[o + SolverBodies.LOADED] != 0 && end < least;
+            if (!(closes || sinks) || !(deep[j] || presses(rows, j))) {
+                continue;
             }
+            if (closes) {
+                push(rows, s, j, o, change * nx, change * ny, change * nz, change);
+            }
+            if (sinks) {
+                v[p] += (least - end) * nx;
+                v[p + 1] += (least - end) * ny;
+                v[p + 2] += (least - end) * nz;
+            }
+            // the closed forms for a body on one contact know nothing of this
+            s.loseGuide(SolverBodies.slot(o));
         }
     }
 
@@ -110,8 +127,6 @@ public final class CoreGuard {
         mark[w] += x;
         mark[w + 1] += y;
         mark[w + 2] += z;
-        // the closed forms for a body on one contact know nothing of this
-        s.guide[SolverBodies.slot(o)] = SolverBodies.BOUND;
         int sum = rows.base(j) + SUM * rows.lanes;
         rows.put(sum, rows.get(sum) + change / v[o + SolverBodies.MASS]);
     }
@@ -126,6 +141,15 @@ public final class CoreGuard {
             }
         }
         return false;
+    }
+
+    private static boolean isDeep(ContactStore c, int source, double overlap) {
+        int first = ContactStore.POINTS * source;
+        boolean is = false;
+        for (int p = first; p < first + c.pointCount[source]; p++) {
+            is |= c.separation[p] < -overlap;
+        }
+        return is;
     }
 
     /**

@@ -59,6 +59,20 @@ public final class SingleBody {
     }
 
     /**
+     * After the bias pass of a sub-step, before the body moves: its points agree on what presses
+     * it.
+     *
+     * @param i slot of a body with a guide
+     */
+    public void press(
+            SolverContext tick, ConstraintRows rows, SubStep sub, int i, Scratch scratch) {
+        int row = rows.list.place[tick.body.guide[i]];
+        ConstraintRows guide = window.open(rows, row);
+        SingleContact.press(guide, tick.body, sub, window.place(), i, scratch.doubles);
+        window.close(rows, row);
+    }
+
+    /**
      * End of a sub-step, after its relax pass: the body is put where its closed form leads.
      *
      * @param refresh has the corner's lever

@@ -4,6 +4,7 @@ import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.kernel.CommonStep;
 import dev.cairn.physics.solver.kernel.RollingFriction;
 import dev.cairn.physics.solver.kernel.RowArithmetic;
+import dev.cairn.physics.solver.kernel.ScalarNormals;
 import dev.cairn.physics.solver.kernel.ScalarSweep;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.RollingRows;
@@ -32,6 +33,9 @@ final class SingleContact {
 
     /** Speed over what gravity adds to it in a sub-step, up to which a body is still. */
     private static final double STILL = 1e-7;
+
+    /** Turn in a sub-step, rad: of what turns farther, the bias pass must agree, too. */
+    private static final double FAR = 0.01;
 
     private SingleContact() {}
 
@@ -72,6 +76,41 @@ final class SingleContact {
             }
             mixing.leap(rows, place, rolling, at, body);
         }
+    }
+
+    /**
+     * Sweeps after the bias pass of a sub-step, where that turns a body far.
+     *
+     * @param place of the only row of body {@code i}
+     */
+    static void press(
+            ConstraintRows rows, SolverBodies s, SubStep sub, int place, int i, double[] st) {
+        int o = SolverBodies.offset(i);
+        double x = s.world(i, o + 3, 0);
+        double y = s.world(i, o + 3, 1);
+        double z = s.world(i, o + 3, 2);
+        double far = FAR * sub.inverse;
+        int n = rows.points(place);
+        if (n < 2 || !(x * x + y * y + z * z > far * far)) {
+            return;
+        }
+        int a = rows.link[place * ConstraintRows.LINK];
+        int b = rows.link[place * ConstraintRows.LINK + 1];
+        int r = rows.base(place);
+        double[] d = rows.doubles;
+        for (int k = 0; k < sub.lone; k++) {
+            ScalarNormals.soften(d, r, rows.lanes, n, true, sub, st);
+            ScalarNormals.sweep(
+                    d, r, rows.lanes, s.state, a, b, n, sub.sweeps, CommonStep.NONE, st);
+            double worst = 0;
+            for (int p = 0; p < n; p++) {
+                worst = Math.max(worst, Math.abs(st[Scratch.CHANGE + p]));
+            }
+            if (!(worst > AGREES * RowArithmetic.largest(d, r, rows.lanes, n))) {
+                break;
+            }
+        }
+        s.state[o + SolverBodies.LOADED] = RowArithmetic.sum(d, r, rows.lanes, n) > 0 ? 1 : 0;
     }
 
     /** One more sweep of the relax pass over a row; returns the largest change of an impulse. */
