@@ -245,8 +245,7 @@ public final class SweepStage {
      * @param substeps of the solver
      * @param isHooked whether a hook may let bodies through
      */
-    public void strike(
-            BroadPhase broadPhase, double bounceSpeed, int substeps, boolean isHooked) {
+    public void strike(BroadPhase broadPhase, double bounceSpeed, int substeps, boolean isHooked) {
         ImpactStage stage = impacts;
         if (stage == null) {
             return;

@@ -194,7 +194,10 @@ final class TunnellingGuard {
         return x * x + y * y + z * z > least * least && isSolid && !colliders.isPart(c);
     }
 
-    /** A way that is looked at is longer than this, m; any is, of a body that was struck or put back. */
+    /**
+     * A way that is looked at is longer than this, m; any is, of a body that was struck or put
+     * back.
+     */
     private double least(int c) {
         boolean any = late(c) > 0 || depenetration.hasMoved(colliders.body[c]);
         return any ? 0 : FAST * colliders.innerRadius[c];

@@ -52,7 +52,9 @@ class LevellingTest {
         assertEquals(digest, run(other, flat), "bits of another number of lanes and workers");
     }
 
-    /** The angle between a body's axis and the vertical after two seconds, and the world's digest. */
+    /**
+     * The angle between a body's axis and the vertical after two seconds, and the world's digest.
+     */
     private static long run(Case one, double[] tilt) {
         double azimuth = Math.toRadians(one.degrees);
         PhysicsSettings settings =
@@ -69,8 +71,7 @@ class LevellingTest {
                             Body.dynamic()
                                     .shape(one.shape)
                                     .at(0, THICK * HALF, 0)
-                                    .rotationAbout(
-                                            Math.cos(azimuth), 0, Math.sin(azimuth), TILT));
+                                    .rotationAbout(Math.cos(azimuth), 0, Math.sin(azimuth), TILT));
             for (int tick = 0; tick < 120; tick++) {
                 world.step(1.0 / 60);
             }

@@ -49,8 +49,7 @@ class NeedleTest {
     /** Returns the digest after the last tick; the lowest place of the centre of mass. */
     private static long run(
             int n, int substeps, double restitution, int lanes, int workers, double[] low) {
-        PhysicsSettings settings =
-                PhysicsSettings.DEFAULT.withSubsteps(substeps).withLanes(lanes);
+        PhysicsSettings settings = PhysicsSettings.DEFAULT.withSubsteps(substeps).withLanes(lanes);
         try (PhysicsWorld world =
                 PhysicsWorld.builder()
                         .settings(settings)

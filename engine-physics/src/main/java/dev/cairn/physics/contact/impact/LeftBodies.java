@@ -15,7 +15,8 @@ import dev.cairn.physics.sweep.Flight;
  * to come back to the floor stayed below it. In ticks of 1/30 s with one sub-step that is 5 mm.
  *
  * <p>So with u the time from the start of that sub-step to t, the body starts {@code a u²/2} higher
- * along the normals of its contacts: then the straight line of the solver leads to where it is at t.
+ * along the normals of its contacts: then the straight line of the solver leads to where it is at
+ * t.
  *
  * <p>One thread; allocates only when something grows.
  */

@@ -45,9 +45,9 @@ final class TrapezoidalCorrection {
     private static final double PARALLEL = 1e-12;
 
     /**
-     * Of the inner radius: what a body may stay tilted by in the ground. What sinks by less than its
-     * own weight makes it is not turned either, for soft contacts would tip what stands near its
-     * edge; but a plate of a tenth of a millimetre must not lie in the ground so.
+     * Of the inner radius: what a body may stay tilted by in the ground. What sinks by less than
+     * its own weight makes it is not turned either, for soft contacts would tip what stands near
+     * its edge; but a plate of a tenth of a millimetre must not lie in the ground so.
      */
     private static final double TILTED = 0.01;
 
