@@ -261,7 +261,7 @@ public final class ImpactStage {
             }
             for (int link = bodies.head[body]; link >= 0; link = bodies.next[link]) {
                 int each = link >> 1;
-                if (each == row || isStruckElsewhere(each, body)) {
+                if (each == row || bodies.isStruckElsewhere(each, body)) {
                     continue;
                 }
                 if (bodies.isPlain(contacts.colliderA[each])
@@ -278,12 +278,6 @@ public final class ImpactStage {
         boolean areBalls = isBall[contacts.bodyA[row]] && isBall[contacts.bodyB[row]];
         pair.place(contacts.colliderA[row], contacts.colliderB[row], areBalls ? 0 : time, step);
         pair.tell(row, reach);
-    }
-
-    /** Whether the other body of a row goes another way than the row was told of. */
-    private boolean isStruckElsewhere(int row, int body) {
-        int other = contacts.bodyA[row] == body ? contacts.bodyB[row] : contacts.bodyA[row];
-        return colliders.bodies.kind[other] == BodyStore.DYNAMIC && bodies.impacts[other] > 0;
     }
 
     private void strike(int first, int second, int row, double time) {
@@ -335,11 +329,6 @@ public final class ImpactStage {
         }
     }
 
-    /** Whether a body may be stopped. */
-    private boolean isLoose(int body) {
-        return colliders.bodies.kind[body] == BodyStore.DYNAMIC && bodies.free[body] == 0;
-    }
-
     /** Stops one of two that turn too often in a tick to be tracked. */
     private void lose(int first, int second, double time) {
         if (!bodies.fits(first, second)) {
@@ -363,10 +352,10 @@ public final class ImpactStage {
     private void stop(int first, int second, Manifold m, double time) {
         int a = colliders.body[first];
         int b = colliders.body[second];
-        if (isLoose(a) && isLoose(b)) {
+        if (bodies.isLoose(a) && bodies.isLoose(b)) {
             stopBoth(a, b, time);
-        } else if (isLoose(a) || isLoose(b)) {
-            int side = isLoose(a) ? 0 : 1;
+        } else if (bodies.isLoose(a) || bodies.isLoose(b)) {
+            int side = bodies.isLoose(a) ? 0 : 1;
             double carried = (step - time) * impact.carrier(1 - side, m);
             int body = side == 0 ? a : b;
             int at = end(side, body, side == 0 ? pair.first() : pair.second());

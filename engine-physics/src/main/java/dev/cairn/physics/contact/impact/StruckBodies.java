@@ -136,6 +136,17 @@ final class StruckBodies {
         return colliders.bodies.isBall[body] || colliders.bodies.kind[body] != BodyStore.DYNAMIC;
     }
 
+    /** Whether a body may be stopped. */
+    boolean isLoose(int body) {
+        return colliders.bodies.kind[body] == BodyStore.DYNAMIC && free[body] == 0;
+    }
+
+    /** Whether the other body of a row goes another way than the row was told of. */
+    boolean isStruckElsewhere(int row, int body) {
+        int other = contacts.bodyA[row] == body ? contacts.bodyB[row] : contacts.bodyA[row];
+        return colliders.bodies.kind[other] == BodyStore.DYNAMIC && impacts[other] > 0;
+    }
+
     /** Whether two bodies of a row may be struck. */
     boolean fits(int row) {
         ContactStore c = contacts;
