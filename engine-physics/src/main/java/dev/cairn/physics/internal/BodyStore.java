@@ -133,6 +133,13 @@ public final class BodyStore extends Poses implements Stateful {
     /** Ticks that the body has been at rest. */
     public int[] restTicks = {};
 
+    /**
+     * Whether the closed forms for a body on nothing but one contact are not for it: its core had
+     * to be held off the ground. Until it has been without contacts; not by when such bodies were
+     * found last, which other islands decide.
+     */
+    public boolean[] lostGuide = {};
+
     /** Largest acceleration of late, in g. */
     public double[] unrest = {};
 
@@ -234,6 +241,7 @@ public final class BodyStore extends Poses implements Stateful {
         outerRadius = c.column("outerRadius", outerRadius);
         inertiaScale = c.column("inertiaScale", inertiaScale);
         restTicks = c.column("restTicks", restTicks);
+        lostGuide = c.column("lostGuide", lostGuide);
         unrest = c.column("unrest", unrest);
         lastVelocity = c.column("lastVelocity", lastVelocity, 6);
         pressed = c.column("pressed", pressed);

@@ -203,7 +203,6 @@ public final class ContactSolver {
                         contacts,
                         list,
                         tick.body.guide,
-                        tick.body.lost,
                         jobs.workers(),
                         tick.settings.count(Tunable.FLOATS_FROM),
                         jobs);

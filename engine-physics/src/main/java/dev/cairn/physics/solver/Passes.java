@@ -271,7 +271,7 @@ final class Passes {
     /** Keeps the cores of moving bodies out of static ones; rows of doubles. */
     void guard(SubStep sub, int from, int to) {
         if (!rows.isSingle) {
-            cores.keepOut(rows, body, sub, from, to);
+            cores.keepOut(rows, body, tick.bodies, sub, from, to);
         }
     }
 

@@ -110,7 +110,7 @@ final class CollectorTest {
         final int[] guide = new int[BODIES];
 
         void run() {
-            collector.run(bodies, contacts, list, guide, new boolean[BODIES], 2, FLOATS_FROM, jobs);
+            collector.run(bodies, contacts, list, guide, 2, FLOATS_FROM, jobs);
         }
 
         void assertSame(Made other, String where) {

@@ -84,9 +84,6 @@ public final class SolverBodies {
      */
     public int[] guide = {};
 
-    /** By slot: see {@link #loseGuide}. */
-    public boolean[] lost = {};
-
     /**
      * Flight: what the last additions to position and velocity lost to rounding, then position and
      * velocity as they were left; 12 to a slot. A body that something else has moved starts anew.
@@ -113,8 +110,8 @@ public final class SolverBodies {
     public final PrincipalAxes axes = new PrincipalAxes();
 
     /**
-     * What a body's flight has lost to rounding, whether a contact pressed on it, and whether it
-     * has lost its guide; all else is loaded in each tick.
+     * What a body's flight has lost to rounding, and whether a contact pressed on it; all else is
+     * loaded in each tick.
      *
      * @param slots in use
      */
@@ -127,7 +124,6 @@ public final class SolverBodies {
             loaded[i] = state[offset(i) + LOADED] != 0;
         }
         loaded = s.array("loaded", loaded, count);
-        lost = s.array("lost", lost, count);
         for (int i = 0; i < guide.length && s.isRestoring(); i++) {
             state[offset(i) + LOADED] = loaded[i] ? 1 : 0;
         }
@@ -154,7 +150,6 @@ public final class SolverBodies {
             motion = Arrays.copyOf(motion, n * MotionRecord.STRIDE);
             carry = Arrays.copyOf(carry, n * 12);
             guide = Arrays.copyOf(guide, n);
-            lost = Arrays.copyOf(lost, n);
             loaded = new boolean[n];
             fastest = new double[n];
             impactTime = new double[n];
@@ -272,15 +267,6 @@ public final class SolverBodies {
     /** Whether impulses move what lies at an offset of the state. */
     public boolean isMoved(int offset) {
         return offset != 0 && offset < drivenFrom;
-    }
-
-    /**
-     * A body has lost its guide, and gets none before it has been without contacts. Not by when the
-     * guides of all were found last, which other islands decide.
-     */
-    public void loseGuide(int slot) {
-        guide[slot] = BOUND;
-        lost[slot] = true;
     }
 
     /** Whether an impact of this sub-step has shifted the body at an offset of the state. */

@@ -99,7 +99,6 @@ public final class Collector implements Stateful {
      * Brings rows, guides, batches and colours up to date.
      *
      * @param guide receives which bodies have edges, see {@link SolverBodies#guide}
-     * @param lost bodies that get no guide while they have edges; cleared for the others
      * @param workerCount workers that may work at batches
      * @param floatsFrom rows of an island that are floats if there are as many
      * @param jobs runs the look at contacts
@@ -110,7 +109,6 @@ public final class Collector implements Stateful {
             ContactStore contactStore,
             EdgeList edges,
             int[] guide,
-            boolean[] lost,
             int workerCount,
             int floatsFrom,
             Jobs jobs) {
@@ -131,7 +129,7 @@ public final class Collector implements Stateful {
         if (isAnew) {
             slots = bodies.slotCount;
             workers = workerCount;
-            bind(guide, lost);
+            bind(guide);
             batches.cut(list, slots, guide, workerCount, floatsFrom, assemblies);
             listSides();
             assemblies.stand(list);
@@ -348,7 +346,8 @@ public final class Collector implements Stateful {
      * Tells which bodies have edges. A body on nothing but one contact with a static body is
      * guided.
      */
-    private void bind(int[] guide, boolean[] lost) {
+    private void bind(int[] guide) {
+        boolean[] lost = bodies.lostGuide;
         Arrays.fill(guide, 0, slots, SolverBodies.FREE);
         stacked = false;
         for (int m = 0; m < list.count; m++) {

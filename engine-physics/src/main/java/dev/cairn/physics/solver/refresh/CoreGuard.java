@@ -72,7 +72,8 @@ public final class CoreGuard {
      * Guards the bodies of rows, before bodies move. Any range of places: each row changes its own
      * body alone, and such rows of one body are in the order of places.
      */
-    public void keepOut(ConstraintRows rows, SolverBodies s, SubStep sub, int from, int to) {
+    public void keepOut(
+            ConstraintRows rows, SolverBodies s, BodyStore b, SubStep sub, int from, int to) {
         double[] v = s.state;
         for (int j = from; j < to; j++) {
             if (gap[j] == Double.POSITIVE_INFINITY) {
@@ -105,7 +106,8 @@ public final class CoreGuard {
                 v[p + 2] += (least - end) * nz;
             }
             // the closed forms for a body on one contact know nothing of this
-            s.loseGuide(SolverBodies.slot(o));
+            s.guide[SolverBodies.slot(o)] = SolverBodies.BOUND;
+            b.lostGuide[SolverBodies.slot(o)] = true;
         }
     }
 
