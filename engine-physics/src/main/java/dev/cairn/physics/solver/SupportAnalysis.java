@@ -99,7 +99,7 @@ final class SupportAnalysis {
 
     private void findStart(SolverContext t, boolean weighs) {
         int sweeps = t.settings.count(Tunable.START_SWEEPS);
-        start.found = false;
+        start.clear();
         if (weighs && sweeps > 0 && t.weight() > 0 && !collector.isSame()) {
             double still = STILL * t.weight() * t.step;
             start.find(t.bodies, t.contacts, list, still, t.weight() * t.subStep, sweeps);

@@ -102,8 +102,14 @@ public class StaticStart {
     /** Whether there is such an island. */
     public boolean found;
 
+    /** Nothing starts; gives the room of what did back. */
+    public void clear() {
+        found = false;
+        leapsOf.clear();
+    }
+
     /**
-     * Marks the rows of islands that start.
+     * Marks the rows of islands that start, after {@link #clear}.
      *
      * @param still speed below which a body is at rest, m/s
      * @param gain what gravity adds to a speed in a sub-step, m/s
@@ -111,10 +117,8 @@ public class StaticStart {
      */
     public void find(
             BodyStore b, ContactStore c, EdgeList list, double still, double gain, int sweeps) {
-        found = false;
         loose = BALANCED * BALANCED * gain * gain;
         if (!anyNew(b)) {
-            leapsOf.clear();
             return;
         }
         ensureCapacity(b);
