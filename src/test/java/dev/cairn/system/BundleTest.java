@@ -260,7 +260,7 @@ final class BundleTest {
                     modules().contains(asked.item(i).getTextContent()),
                     asked.item(i)::getTextContent);
         }
-        assertTrue(page.contains("platform(\"dev.cairn:cairn-bom:" + version + "\")"), "Gradle");
+        assertTrue(page.contains("platform('dev.cairn:cairn-bom:" + version + "')"), "Gradle");
     }
 
     private static Set<String> names(byte[] jar) throws IOException {

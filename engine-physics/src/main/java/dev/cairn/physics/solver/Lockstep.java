@@ -24,15 +24,6 @@ final class Lockstep {
     private static final int BODIES_PER_BLOCK = 128;
     private static final int ROWS_PER_BLOCK = 256;
 
-    /**
-     * Rows of a colour to a block, at least and at most: whole groups of lanes. All workers wait
-     * for the last block of each pass over a colour, some tenths of a microsecond; a row takes as
-     * long.
-     */
-    private static final int FEWEST_COLOUR_ROWS = 16;
-
-    private static final int MOST_COLOUR_ROWS = 64;
-
     private final Passes passes;
     private final Colouring colouring;
     private final Batches batches;
@@ -250,18 +241,9 @@ final class Lockstep {
             rowKind = colouring.kind[c];
             sweep = sweeps(c);
             int rowCount = to - from;
-            perBlock = perBlock(rowCount, jobs.workers());
+            perBlock = Colouring.perBlock(rowCount, jobs.workers());
             jobs.run(job, Blocks.count(rowCount, perBlock));
         }
-    }
-
-    /** A block for each worker, in whole groups of lanes. */
-    private static int perBlock(int rows, int workers) {
-        if (workers == 1) {
-            return rows;
-        }
-        int groups = Blocks.count(Blocks.count(rows, workers), FEWEST_COLOUR_ROWS);
-        return Math.min(MOST_COLOUR_ROWS, FEWEST_COLOUR_ROWS * groups);
     }
 
     /** The islands of the batch that are solved directly; none of them has domains. */

@@ -1,5 +1,6 @@
 package dev.cairn.physics.solver.graph;
 
+import dev.cairn.core.job.Blocks;
 import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.EdgePlaces;
 
@@ -22,6 +23,13 @@ import java.util.Arrays;
  */
 public final class Colouring {
     private static final int MASKED = 64;
+
+    /**
+     * Rows of a colour to a block, at least and at most: whole groups of lanes. All workers wait
+     * for the last block of each pass over a colour, some tenths of a microsecond; a row takes as
+     * long.
+     */
+    private static final int FEWEST_TO_A_BLOCK = 16, MOST_TO_A_BLOCK = 64;
 
     /** Colours for which there is room at first: the first body on fixed ones may come late. */
     private static final int ROOM = 4 * MASKED;
@@ -274,6 +282,15 @@ public final class Colouring {
             end = Arrays.copyOf(end, 2 * n);
             size = Arrays.copyOf(size, 2 * n);
         }
+    }
+
+    /** Rows of a colour to a block: a block for each worker, in whole groups of lanes. */
+    public static int perBlock(int rows, int workers) {
+        if (workers == 1) {
+            return rows;
+        }
+        int groups = Blocks.count(Blocks.count(rows, workers), FEWEST_TO_A_BLOCK);
+        return Math.min(MOST_TO_A_BLOCK, FEWEST_TO_A_BLOCK * groups);
     }
 
     /** The places of a colour that no row takes bind nothing to nothing. */

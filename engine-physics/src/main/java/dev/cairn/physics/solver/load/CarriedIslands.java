@@ -31,6 +31,9 @@ public final class CarriedIslands extends StaticStart {
      */
     private static final int VISITS = 1 << 13;
 
+    /** Speed over what gravity adds to it in a sub-step, up to which an island is in balance. */
+    private static final double BALANCED = 1e-4;
+
     /** By place of rows in doubles and in floats: whether the row is of an island that rides. */
     private boolean[] doubles = {}, floats = {};
 

@@ -16,12 +16,6 @@ import dev.cairn.physics.solver.row.SubStep;
 
 /** The rows of islands that start at rest, swept until they agree, see {@link StaticStart}. */
 public final class StartSweep implements StartPass {
-    /** Changes below this share of the largest impulse that do not get smaller are rounding. */
-    private static final double ROUNDING = 1e-10;
-
-    /** Sweeps in which a change has not come to half of the least so far. */
-    private static final int PATIENCE = 16;
-
     @Override
     public void start(
             ConstraintRows rows,
@@ -91,8 +85,6 @@ public final class StartSweep implements StartPass {
             SweepLeaps leaps,
             double[] st) {
         read(rows, body, leaps, true);
-        double least = Double.POSITIVE_INFINITY;
-        int inVain = 0;
         for (int left = islands.sweeps(root); left > 0; left--) {
             double change = 0;
             double largest = 0;
@@ -103,10 +95,7 @@ public final class StartSweep implements StartPass {
                 double load = RowArithmetic.largest(rows.doubles, rows.base(j), rows.lanes, points);
                 largest = Math.max(largest, load);
             }
-            inVain = change < least / 2 ? 0 : inVain + 1;
-            least = inVain == 0 ? change : least;
-            boolean isRounding = inVain > PATIENCE && change < ROUNDING * largest;
-            if (!(change > islands.agrees * largest) || isRounding) {
+            if (leaps.areDone(change, largest, islands.agrees)) {
                 return;
             }
             if (left > 1) {
@@ -180,7 +169,7 @@ public final class StartSweep implements StartPass {
         for (int k = 0; k < leaps.bodies; k++) {
             most = Math.max(most, speed(body, leaps.body[k], islands, root, at));
         }
-        return most < islands.loose;
+        return islands.isStill(most);
     }
 
     /** Square of the speed that a body has left, its turn weighed in: {@code v² + w'²/m}. */

@@ -39,7 +39,7 @@ public class StaticStart {
     static final byte MARK = 2;
 
     /** Change of an impulse over the largest one of the island at which it agrees. */
-    double agrees = 1e-12;
+    double agrees = 1e-13;
 
     /**
      * Sweeps that the leaps of an island go by. With 16 a tower takes half of the sweeps, but where
@@ -60,7 +60,7 @@ public class StaticStart {
     static final int IMPULSES = 7;
 
     /** Speed over what gravity adds to it in a sub-step, up to which an island is in balance. */
-    static final double BALANCED = 1e-4;
+    private static final double BALANCED = 1e-5;
 
     private final Islands islands = new Islands();
 
@@ -357,5 +357,10 @@ public class StaticStart {
 
     void putBack(int slot) {
         taken[slot] = false;
+    }
+
+    /** Whether the largest square of a speed that is left means balance. */
+    boolean isStill(double square) {
+        return square < loose;
     }
 }

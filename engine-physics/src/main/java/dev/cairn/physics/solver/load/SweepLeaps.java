@@ -13,6 +13,12 @@ abstract class SweepLeaps {
     /** Of a body: its velocity. */
     static final int SPEEDS = 6;
 
+    /** Changes below this share of the largest impulse that do not get smaller are rounding. */
+    private static final double ROUNDING = 1e-10;
+
+    /** Sweeps in which a change has not come to half of the least so far. */
+    private static final int PATIENCE = 16;
+
     /** Places of the island's rows, and where its bodies are; how many there are. */
     int[] place = {};
 
@@ -25,10 +31,17 @@ abstract class SweepLeaps {
      */
     double[] before = {}, after = {};
 
+    /** The least change so far, and sweeps since one came to half of that before. */
+    private double least;
+
+    private int inVain;
+
     /** Another island; allocates where it is larger than those before. */
     void begin(int rowCount, int bodyCount) {
         rows = 0;
         bodies = 0;
+        least = Double.POSITIVE_INFINITY;
+        inVain = 0;
         if (place.length < rowCount) {
             place = new int[rowCount];
         }
@@ -70,6 +83,22 @@ abstract class SweepLeaps {
     /** A number from which the next sweep starts. */
     final double next(int at) {
         return before[at];
+    }
+
+    /**
+     * After a sweep: whether it was the last one.
+     *
+     * @param change the largest of an impulse in it
+     * @param largest impulse
+     * @param agrees share of the largest at which impulses agree
+     */
+    final boolean areDone(double change, double largest, double agrees) {
+        inVain++;
+        if (change < least / 2) {
+            least = change;
+            inVain = 0;
+        }
+        return !(change > agrees * largest) || (inVain > PATIENCE && change < ROUNDING * largest);
     }
 
     /**

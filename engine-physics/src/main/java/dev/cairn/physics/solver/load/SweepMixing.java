@@ -26,6 +26,12 @@ final class SweepMixing extends SweepLeaps {
      */
     private static final double ALIKE = 1e-10;
 
+    /**
+     * Square of a leap over that of the last sweep's change, at most. What is left at the end is
+     * rounding, and tells of leaps of any length where several points share a load.
+     */
+    private static final double FARTHEST = 1e6;
+
     private double[] change = {}, lastAfter = {}, lastChange = {};
     private final double[][] afters;
     private final double[][] changes;
@@ -167,13 +173,20 @@ final class SweepMixing extends SweepLeaps {
         return n;
     }
 
-    /** No normal impulse may become negative. */
+    /** No normal impulse may become negative, nor may a leap be too long. */
     private void shorten(int size, int counted) {
         double most = 1;
+        double square = 0;
         for (int i = 0; i < counted; i++) {
+            double leap = before[i] - after[i];
+            square += leap * leap;
             if (before[i] < 0 && isNormal(i)) {
-                most = Math.min(most, after[i] / (after[i] - before[i]));
+                most = Math.min(most, after[i] / -leap);
             }
+        }
+        double farthest = FARTHEST * dot(change, change, counted);
+        if (square > farthest) {
+            most = Math.min(most, Math.sqrt(farthest / square));
         }
         if (most < 1) {
             for (int i = 0; i < size; i++) {

@@ -103,6 +103,6 @@ public final class SingleBody {
         EnergyBound.end(tick.bodies, bodies, i, guide, rows.rolling, place, row);
         window.close(rows, row);
         TrapezoidalCorrection.end(
-                tick.bodies, bodies, i, guide, rows.rolling, place, row, sub, gain);
+                tick.bodies, bodies, i, guide, rows.rolling, place, row, sub.seconds);
     }
 }

@@ -12,7 +12,6 @@ import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.kernel.RowArithmetic;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.RollingRows;
-import dev.cairn.physics.solver.row.SubStep;
 
 /**
  * Guided bodies, whose only contact is with a static body: at the end of a sub-step they are put
@@ -41,16 +40,6 @@ final class TrapezoidalCorrection {
      */
     private static final double MOST_TURN = 0.01;
 
-    /** Square of the sine between two levers that are parallel. */
-    private static final double PARALLEL = 1e-12;
-
-    /**
-     * Of the inner radius: what a body may stay tilted by in the ground. What sinks by less than
-     * its own weight makes it is not turned either, for soft contacts would tip what stands near
-     * its edge; but a plate of a tenth of a millimetre must not lie in the ground so.
-     */
-    private static final double TILTED = 0.01;
-
     private TrapezoidalCorrection() {}
 
     /**
@@ -61,7 +50,6 @@ final class TrapezoidalCorrection {
      * its own time t, {@code x += t v0/2}.
      *
      * @param at place of the row in {@code rolling}
-     * @param gain what gravity adds to a speed in the sub-step, m/s
      */
     static void end(
             BodyStore b,
@@ -71,14 +59,12 @@ final class TrapezoidalCorrection {
             RollingRows rolling,
             int place,
             int at,
-            SubStep sub,
-            double gain) {
+            double h) {
         double[] v = s.state;
         int o = SolverBodies.offset(i);
         if (v[o + LOADED] == 0) {
             return;
         }
-        double h = sub.seconds;
         int g = MotionRecord.STRIDE * i;
         double[] d = s.motion;
         int r = rows.base(place);
@@ -90,7 +76,7 @@ final class TrapezoidalCorrection {
         double y = mean * (d[g + 1] + v[o + V + 1]) - h * d[g + 4];
         double z = mean * (d[g + 2] + v[o + V + 2]) - h * d[g + 5];
         double n = x * nx + y * ny + z * nz;
-        n += rock(b, s, i, rows, place, sub, gain);
+        n += rock(b, s, i, rows, place, h);
         v[o + P] += x - n * nx;
         v[o + P + 1] += y - n * ny;
         v[o + P + 2] += z - n * nz;
@@ -98,19 +84,10 @@ final class TrapezoidalCorrection {
 
     /**
      * The same for the turn: {@code h/2 (w1 - w' - (w - w0))} with w' the velocity that turned the
-     * body, after free rotation. That would also take back the turn that pushes a body out of an
-     * overlap, and what lies tilted in the ground would stay so: there points that press keep their
-     * heights. Returns by how much the turn lowers them.
+     * body, after free rotation. Returns by how much that lowers the points that press.
      */
     private static double rock(
-            BodyStore b,
-            SolverBodies s,
-            int i,
-            ConstraintRows rows,
-            int place,
-            SubStep sub,
-            double gain) {
-        double h = sub.seconds;
+            BodyStore b, SolverBodies s, int i, ConstraintRows rows, int place, double h) {
         double[] d = s.motion;
         int g = MotionRecord.STRIDE * i;
         int o = SolverBodies.offset(i);
@@ -122,6 +99,7 @@ final class TrapezoidalCorrection {
         if (!(x * x + y * y + z * z > LEAST_TURN) || turns > MOST_TURN) {
             return 0;
         }
+        Rotation.turn(b, i, x, y, z);
         double[] root = s.root;
         int k = (i + 1) * SolverBodies.ROOT;
         double[] v = s.state;
@@ -129,26 +107,13 @@ final class TrapezoidalCorrection {
         for (int c = 0; c < 3; c++) {
             w[g + c] =
                     root[k + 9 + c] * (root[k + c] * x + root[k + 3 + c] * y + root[k + 6 + c] * z);
+            v[o + P + 3 + c] += w[g + c];
         }
         int r = rows.base(place);
         int arm =
                 rows.link[place * ConstraintRows.LINK] == o
                         ? ConstraintRows.ARM_A
                         : ConstraintRows.ARM_B;
-        double stiffness = sub.stiffness(true);
-        double most = Math.min(gain / stiffness, TILTED * b.innerRadius[i]);
-        if (isPushed(rows, place, r, stiffness, most) && keepTilt(rows, place, r, arm, w, g)) {
-            x = root[k] * w[g] + root[k + 1] * w[g + 1] + root[k + 2] * w[g + 2];
-            y = root[k + 3] * w[g] + root[k + 4] * w[g + 1] + root[k + 5] * w[g + 2];
-            z = root[k + 6] * w[g] + root[k + 7] * w[g + 1] + root[k + 8] * w[g + 2];
-            if (!(x * x + y * y + z * z > LEAST_TURN)) {
-                return 0;
-            }
-        }
-        Rotation.turn(b, i, x, y, z);
-        for (int c = 0; c < 3; c++) {
-            v[o + P + 3 + c] += w[g + c];
-        }
         double sum = 0;
         double low = 0;
         for (int p = 0; p < rows.points(place); p++) {
@@ -158,83 +123,6 @@ final class TrapezoidalCorrection {
             low += l * RowArithmetic.dot(rows.doubles, q + arm * rows.lanes, rows.lanes, w, g);
         }
         return sum > 0 ? low / sum : 0;
-    }
-
-    /**
-     * Whether a point that presses overlaps by more than its load explains: then it is pushed out,
-     * by a turn that nothing but this push makes.
-     *
-     * @param most of the overlap beyond that, m
-     */
-    private static boolean isPushed(
-            ConstraintRows rows, int place, int r, double stiffness, double most) {
-        double[] d = rows.doubles;
-        int lanes = rows.lanes;
-        for (int p = 0; p < rows.points(place); p++) {
-            int q = r + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * lanes;
-            double l = d[q + ConstraintRows.IMPULSE * lanes];
-            double k = d[q + ConstraintRows.MASS * lanes] * stiffness;
-            if (l > 0 && -d[q + ConstraintRows.SEPARATION * lanes] * k - l > most * k) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /**
-     * Takes out of a turn what moves points that press against each other along the normal. With
-     * {@code a} the lever of one of them less that of the first, the turn loses its part along
-     * {@code a}; there are two such directions at most.
-     *
-     * @param w the turn, at {@code g}, weighted as levers are; after that there is room for both
-     * @return whether there was any
-     */
-    private static boolean keepTilt(
-            ConstraintRows rows, int place, int r, int arm, double[] w, int g) {
-        double[] d = rows.doubles;
-        int lanes = rows.lanes;
-        int first = -1;
-        int to = g + 3;
-        for (int p = 0; p < rows.points(place) && to <= g + 6; p++) {
-            int q = r + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * lanes;
-            int lever = q + arm * lanes;
-            if (!(d[q + ConstraintRows.IMPULSE * lanes] > 0)) {
-                continue;
-            }
-            if (first < 0) {
-                first = lever;
-                continue;
-            }
-            for (int c = 0; c < 3; c++) {
-                w[to + c] = d[lever + c * lanes] - d[first + c * lanes];
-            }
-            double square = product(w, to, to);
-            if (to > g + 3) {
-                lose(w, to, g + 3);
-            }
-            double left = product(w, to, to);
-            if (left > PARALLEL * square) {
-                double unit = 1 / Math.sqrt(left);
-                for (int c = 0; c < 3; c++) {
-                    w[to + c] *= unit;
-                }
-                lose(w, g, to);
-                to += 3;
-            }
-        }
-        return to > g + 3;
-    }
-
-    private static double product(double[] w, int i, int j) {
-        return w[i] * w[j] + w[i + 1] * w[j + 1] + w[i + 2] * w[j + 2];
-    }
-
-    /** Takes its part along a unit vector out of a vector. */
-    private static void lose(double[] w, int from, int unit) {
-        double part = product(w, from, unit);
-        for (int c = 0; c < 3; c++) {
-            w[from + c] -= part * w[unit + c];
-        }
     }
 
     /**
