@@ -55,8 +55,9 @@
  * Steps in Physics Simulation" (2019); E. Guendelman, R. Bridson, R. Fedkiw, "Nonconvex rigid
  * bodies with stacking" (2003) for impacts before contacts; R. McLachlan, A. Zanna (2005) and E.
  * Hairer, G. Vilmart (2006) for the rotation; M. Powell and M. Hestenes (1969) for the offset; A.
- * Aitken (1926) and D. Anderson (1965) for the leaps of {@code StaticStart}; M. Silcowitz, S. Niebe,
- * K. Erleben (2010) for solves between sweeps. How it works: {@code docs/solver.md}; figures: {@code docs/notebook}.
+ * Aitken (1926) and D. Anderson (1965) for the leaps of {@code StaticStart}; M. Silcowitz, S.
+ * Niebe, K. Erleben (2010) for solves between sweeps. How it works: {@code docs/solver.md};
+ * figures: {@code docs/notebook}.
  */
 @NullMarked
 package dev.cairn.physics.solver;
