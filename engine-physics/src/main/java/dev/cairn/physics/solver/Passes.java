@@ -255,6 +255,9 @@ final class Passes {
         }
         for (int k = from; k < to; k++) {
             Motion.drift(tick.bodies, body, tick.order[k], g[0], g[1], g[2], sub.seconds);
+            if (!refresh.hasRenewedRow(tick.order[k])) {
+                refresh.turnedFar(body, tick.bodies, tick.order[k], sub.seconds);
+            }
         }
         for (int k = from; k < to; k++) {
             round(tick.order[k]);
@@ -432,6 +435,9 @@ final class Passes {
                 sub.seconds,
                 jointed)) {
             for (int k = head; k < tail; k++) {
+                if (body.shifted[tick.order[k]]) {
+                    local.start.fit(tick.bodies, body, tick.order[k]);
+                }
                 round(tick.order[k]);
             }
             one.separate(rows, body, from, to);

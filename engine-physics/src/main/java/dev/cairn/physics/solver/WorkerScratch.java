@@ -1,6 +1,7 @@
 package dev.cairn.physics.solver;
 
 import dev.cairn.physics.solver.direct.DirectSolve;
+import dev.cairn.physics.solver.impact.ImpactStart;
 import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.joint.AssemblyFlight;
 import dev.cairn.physics.solver.joint.JointSolve;
@@ -15,6 +16,7 @@ final class WorkerScratch {
     final SingleBody single = new SingleBody();
     final DirectSolve direct = new DirectSolve();
     final Impacts impacts = new Impacts();
+    final ImpactStart start = new ImpactStart();
     final JointSolve joints = new JointSolve();
     final AssemblyFlight swing = new AssemblyFlight();
 }

@@ -239,6 +239,19 @@ public final class SolverBodies {
         state[o + 2] = r[k + 11] * (r[k + 2] * x + r[k + 5] * y + r[k + 8] * z) + 0.0;
     }
 
+    /** Writes the angular momentum about the centre of mass, {@code L^-T} of the weighted velocity. */
+    public void momentum(int i, double[] destination) {
+        double[] r = root;
+        int k = (i + 1) * ROOT;
+        int o = offset(i) + V + 3;
+        for (int c = 0; c < 3; c++) {
+            destination[c] =
+                    r[k + 3 * c] * (r[k + 9] * state[o])
+                            + r[k + 3 * c + 1] * (r[k + 10] * state[o + 1])
+                            + r[k + 3 * c + 2] * (r[k + 11] * state[o + 2]);
+        }
+    }
+
     /** Component {@code axis} of {@code L u}, u the weighted vector at {@code state[o]}. */
     public double world(int i, int o, int axis) {
         int k = (i + 1) * ROOT + 3 * axis;

@@ -11,8 +11,6 @@ import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.solver.body.AxisLocks;
 import dev.cairn.physics.solver.body.DrivenSides;
-import dev.cairn.physics.solver.body.MotionRecord;
-import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.kernel.RowArithmetic;
@@ -450,36 +448,7 @@ public final class Impacts {
         bodies.impactTime[slot] = time;
         // what was slow may meet its next neighbour fast now
         bodies.limit(store, slot, gravity, subStep);
-        shift(store, bodies, at, old, q, time);
-    }
-
-    /** The same, for callers that keep no time of impacts. */
-    public static void shift(
-            BodyStore store, SolverBodies bodies, int at, double[] old, int q, double time) {
-        double[] body = bodies.state;
-        if (!(time > 0) || !bodies.isMoved(at)) {
-            return;
-        }
-        bodies.motion[MotionRecord.STRIDE * SolverBodies.slot(at) + MotionRecord.STRUCK] = 1;
-        bodies.shifted[SolverBodies.slot(at)] = true;
-        int p = at + SolverBodies.P;
-        double tu = -time * (body[at + 3] - old[q + 3]);
-        double tv = -time * (body[at + 4] - old[q + 4]);
-        double tw = -time * (body[at + 5] - old[q + 5]);
-        body[p] -= time * (body[at] - old[q]);
-        body[p + 1] -= time * (body[at + 1] - old[q + 1]);
-        body[p + 2] -= time * (body[at + 2] - old[q + 2]);
-        body[p + 3] += tu;
-        body[p + 4] += tv;
-        body[p + 5] += tw;
-        int k = (at >> 4) * SolverBodies.ROOT;
-        double[] r = bodies.root;
-        Rotation.turn(
-                store,
-                SolverBodies.slot(at),
-                r[k] * tu + r[k + 1] * tv + r[k + 2] * tw,
-                r[k + 3] * tu + r[k + 4] * tv + r[k + 5] * tw,
-                r[k + 6] * tu + r[k + 7] * tv + r[k + 8] * tw);
+        ImpactStart.shift(store, bodies, at, old, q, time);
     }
 
     /** Time of the last impact of the body at {@code at} in this sub-step; 0 if there was none. */

@@ -52,6 +52,9 @@ public final class JacobianRefresh {
     /** Turn in a sub-step, rad, after which the root of a body that stood still is not its own. */
     private static final double STRUCK = 0.05;
 
+    /** Turn in a sub-step, rad, after which no root of before tells the energy. */
+    private static final double SPUN = 0.3;
+
     /** Numbers to a row in {@link #kept}. */
     private static final int KEPT = RefreshRow.RECORD;
 
@@ -292,6 +295,31 @@ public final class JacobianRefresh {
             Arrays.fill(s.warm, w, w + 6, 0.0);
         }
         turned(b, i);
+    }
+
+    /**
+     * Gives a body whose rows stay as they are the root of its present inertia, once it turns so far
+     * within a sub-step that energy would no longer be half a square in the old one.
+     */
+    public void turnedFar(SolverBodies s, BodyStore b, int i, double seconds) {
+        if (s.axes.isIsotropic(i)) {
+            return;
+        }
+        int o = SolverBodies.offset(i);
+        double x = s.world(i, o + 3, 0);
+        double y = s.world(i, o + 3, 1);
+        double z = s.world(i, o + 3, 2);
+        if ((x * x + y * y + z * z) * (seconds * seconds) > SPUN * SPUN) {
+            int w = (i + 1) * SolverBodies.HALF + 3;
+            double p = s.state[o + 3] - s.mark[w];
+            double q = s.state[o + 4] - s.mark[w + 1];
+            double r = s.state[o + 5] - s.mark[w + 2];
+            s.rootOfInertia(b, i, s.state[o + SolverBodies.GRAVITY]);
+            s.weigh(i, x, y, z);
+            s.mark[w] = s.state[o + 3] - p;
+            s.mark[w + 1] = s.state[o + 4] - q;
+            s.mark[w + 2] = s.state[o + 5] - r;
+        }
     }
 
     /** {@code q q0^-1} as a matrix. */

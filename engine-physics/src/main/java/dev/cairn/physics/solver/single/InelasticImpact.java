@@ -7,6 +7,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.AxisLocks;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
+import dev.cairn.physics.solver.impact.ImpactStart;
 import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.impact.MultiPointImpact;
 import dev.cairn.physics.solver.kernel.RowArithmetic;
@@ -43,6 +44,7 @@ final class InelasticImpact {
     private static final double AGREES = 1e-12;
 
     private final MultiPointImpact impact = new MultiPointImpact();
+    private final ImpactStart start = new ImpactStart();
 
     /** Six zeros for static bodies, then acceleration of the body: without its contact. */
     private final double[] free = new double[12];
@@ -204,7 +206,8 @@ final class InelasticImpact {
             body[at + c] -= time * free[6 + c];
         }
         AxisLocks.lock(store, body, at);
-        Impacts.shift(store, bodies, at, before, 0, time);
+        ImpactStart.shift(store, bodies, at, before, 0, time);
+        start.fit(store, bodies, SolverBodies.slot(at));
         turnBack();
         lift();
         clear();

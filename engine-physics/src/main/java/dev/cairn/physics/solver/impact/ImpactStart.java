@@ -1,0 +1,98 @@
+package dev.cairn.physics.solver.impact;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.solver.body.MotionRecord;
+import dev.cairn.physics.solver.body.Rotation;
+import dev.cairn.physics.solver.body.SolverBodies;
+
+/**
+ * Moves the start of a body's path after an impact within a sub-step.
+ *
+ * <p>A change {@code dv} of velocity at time t is the same path as the change now, from a start that
+ * is moved by {@code -t dv}; so it is with a turn. But a body whose moments differ has another
+ * momentum and another energy with the same angular velocity once it is turned. So it gets the
+ * velocity that fits those of before: without that a plate of 0.6 m that bounced on its rim gained
+ * 1e-3 of its energy.
+ *
+ * <p>One thread. Does not allocate.
+ */
+public final class ImpactStart {
+    /** So much may momentum and energy miss each other, as a share; needles miss by factors. */
+    private static final double MISS = 0.05;
+
+    private final double[] momentum = new double[3], spin = new double[3];
+    private final double[] root = new double[SolverBodies.ROOT];
+
+    /**
+     * Moves the start of the path of a moving body.
+     *
+     * @param at its place in {@link SolverBodies#state}
+     * @param old holds the velocities before the impact, at {@code q}
+     * @param time of the impact, from the start of the sub-step, s
+     */
+    public static void shift(
+            BodyStore store, SolverBodies bodies, int at, double[] old, int q, double time) {
+        if (!(time > 0) || !bodies.isMoved(at)) {
+            return;
+        }
+        double[] body = bodies.state;
+        int slot = SolverBodies.slot(at);
+        bodies.motion[MotionRecord.STRIDE * slot + MotionRecord.STRUCK] = 1;
+        bodies.shifted[slot] = true;
+        int p = at + SolverBodies.P;
+        double tu = -time * (body[at + 3] - old[q + 3]);
+        double tv = -time * (body[at + 4] - old[q + 4]);
+        double tw = -time * (body[at + 5] - old[q + 5]);
+        body[p] -= time * (body[at] - old[q]);
+        body[p + 1] -= time * (body[at + 1] - old[q + 1]);
+        body[p + 2] -= time * (body[at + 2] - old[q + 2]);
+        body[p + 3] += tu;
+        body[p + 4] += tv;
+        body[p + 5] += tw;
+        int k = (at >> 4) * SolverBodies.ROOT;
+        double[] r = bodies.root;
+        Rotation.turn(
+                store,
+                slot,
+                r[k] * tu + r[k + 1] * tv + r[k + 2] * tw,
+                r[k + 3] * tu + r[k + 4] * tv + r[k + 5] * tw,
+                r[k + 6] * tu + r[k + 7] * tv + r[k + 8] * tw);
+    }
+
+    /**
+     * Gives a body the root of the inertia that it has as its start is turned now, and the angular
+     * velocity that fits it. After all impacts of a sub-step, which take the inertia to be that of
+     * the start.
+     *
+     * @param slot of a body whose start was moved
+     */
+    public void fit(BodyStore store, SolverBodies bodies, int slot) {
+        if (bodies.axes.isIsotropic(slot)) {
+            return;
+        }
+        double[] v = bodies.state;
+        double[] r = bodies.root;
+        int o = SolverBodies.offset(slot);
+        int w = o + SolverBodies.V + 3;
+        int k = (slot + 1) * SolverBodies.ROOT;
+        System.arraycopy(r, k, root, 0, SolverBodies.ROOT);
+        bodies.momentum(slot, momentum);
+        bodies.rootOfInertia(store, slot, v[o + SolverBodies.GRAVITY]);
+        double twice = 0;
+        double square = 0;
+        for (int c = 0; c < 3; c++) {
+            // u = L^T (angular momentum), and |u|² is twice the energy
+            spin[c] = r[k + c] * momentum[0] + r[k + 3 + c] * momentum[1] + r[k + 6 + c] * momentum[2];
+            square += spin[c] * spin[c];
+            twice += v[w + c] * v[w + c];
+        }
+        double scale = Math.sqrt(twice / square);
+        boolean fits = Math.abs(scale - 1) <= MISS;
+        for (int c = 0; c < 3 && fits; c++) {
+            v[w + c] = scale * spin[c];
+        }
+        if (!fits) {
+            System.arraycopy(root, 0, r, k, SolverBodies.ROOT);
+        }
+    }
+}
