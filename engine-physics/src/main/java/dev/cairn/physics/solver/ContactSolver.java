@@ -298,7 +298,11 @@ public final class ContactSolver {
                 p.guard(sub, from, to);
             }
             p.carry(sub, b, own);
-            p.drift(sub, head, tail);
+            boolean paced = small && tick.body.boundsEnergy;
+            if (paced) {
+                energy.pace(tick, head, tail);
+            }
+            p.drift(sub, head, tail, paced);
             p.joints.place(firstJoined, endJoined);
             p.moveSides(sub, b);
             if (bounces && k + 1 < sub.count) {

@@ -62,6 +62,12 @@ final class IslandEnergy {
     /** Turn in a sub-step, rad, up to which levers are right enough. */
     private static final double FAR = 0.05;
 
+    /** Turn in a sub-step, rad, from which on the movement itself is bounded. */
+    private static final double SPUN = 0.3;
+
+    /** Energy of the movement over that without contacts, at most. */
+    private static final double PACED = 1;
+
     /** Numbers to an island, at its smallest slot. */
     private static final int STRIDE = 28;
 
@@ -163,8 +169,40 @@ final class IslandEnergy {
         works[islands.root(slot)] = true;
     }
 
-    /** End of a sub-step, of the bodies of whole islands from {@code head} to {@code tail}. */
-    void bound(SolverContext tick, int head, int tail) {
+    /**
+     * Before bodies move: how much of the sub-step each of them moves, 1 for nearly all. What a bias
+     * pass gives to an island that turns far is not all taken back, and a movement is energy, too: a
+     * needle of a micrometre was put up by 7 mm in one tick. So the island moves no farther than
+     * with 1.5 times the energy that it has without contacts.
+     */
+    void pace(SolverContext tick, int head, int tail) {
+        double[] pace = tick.body.pace;
+        double far = 0;
+        double h = tick.subStep;
+        for (int k = head; k < tail; k++) {
+            int i = tick.order[k];
+            int o = SolverBodies.offset(i) + V + 3;
+            double x = tick.body.world(i, o, 0);
+            double y = tick.body.world(i, o, 1);
+            double z = tick.body.world(i, o, 2);
+            far = Math.max(far, x * x + y * y + z * z);
+            pace[i] = 1;
+        }
+        if (!(far * (h * h) > SPUN * SPUN)) {
+            return;
+        }
+        sum(tick, head, tail);
+        for (int k = head; k < tail; k++) {
+            int i = tick.order[k];
+            int at = STRIDE * islands.root(i);
+            double most = PACED * sums[at + FREE];
+            if (sums[at + TURN] > SPUN * SPUN && sums[at + NOW] > most) {
+                pace[i] = Math.sqrt(most / sums[at + NOW]);
+            }
+        }
+    }
+
+    private void sum(SolverContext tick, int head, int tail) {
         for (int k = head; k < tail; k++) {
             int at = STRIDE * tick.order[k];
             Arrays.fill(sums, at, at + STRIDE, 0.0);
@@ -176,6 +214,11 @@ final class IslandEnergy {
                 add(tick.body, i, STRIDE * root, tick.subStep);
             }
         }
+    }
+
+    /** End of a sub-step, of the bodies of whole islands from {@code head} to {@code tail}. */
+    void bound(SolverContext tick, int head, int tail) {
+        sum(tick, head, tail);
         boolean any = false;
         for (int k = head; k < tail; k++) {
             int i = tick.order[k];

@@ -370,7 +370,7 @@ final class Lockstep {
     }
 
     private void driftBodies(int head, int tail) {
-        passes.drift(pace, head, tail);
+        passes.drift(pace, head, tail, false);
         if (!joints.any()) {
             lookBackAt(head, tail);
         }

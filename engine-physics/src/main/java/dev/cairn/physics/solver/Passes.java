@@ -247,14 +247,20 @@ final class Passes {
         }
     }
 
-    void drift(SubStep sub, int from, int to) {
+    /**
+     * Moves bodies.
+     *
+     * @param paced whether each moves by a share of the sub-step, {@link SolverBodies#pace}
+     */
+    void drift(SubStep sub, int from, int to, boolean paced) {
         double[] g = tick.gravity;
         // in three loops: a turn is one long chain, and short bodies of a loop overlap
         for (int k = from; k < to; k++) {
             add(tick.order[k]);
         }
         for (int k = from; k < to; k++) {
-            Motion.drift(tick.bodies, body, tick.order[k], g[0], g[1], g[2], sub.seconds);
+            double h = paced ? body.pace[tick.order[k]] * sub.seconds : sub.seconds;
+            Motion.drift(tick.bodies, body, tick.order[k], g[0], g[1], g[2], h);
             if (!refresh.hasRenewedRow(tick.order[k])) {
                 refresh.turnedFar(body, tick.bodies, tick.order[k], sub.seconds);
             }

@@ -8,7 +8,9 @@ import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Cone;
+import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Sphere;
 
@@ -18,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import java.util.List;
 import java.util.Random;
 
 /**
@@ -67,6 +70,75 @@ class NeedleTest {
         }
     }
 
+    /** A wall that does not move gives no energy, however fast the blow makes a needle spin. */
+    @Test
+    void aBlowOnATipGivesNoEnergy() {
+        for (int n = 0; n < 40; n++) {
+            Random random = new Random(SEED + n);
+            Vector3d[] corners = new Vector3d[8];
+            for (int c = 0; c < 8; c++) {
+                corners[c] =
+                        new Vector3d(
+                                ((c & 1) - 0.5) * 2e-5 * (1 + random.nextDouble()),
+                                ((c >> 1 & 1) - 0.5) * 2e-5 * (1 + random.nextDouble()),
+                                ((c >> 2) - 0.5) * 0.1 * (0.7 + 0.3 * random.nextDouble()));
+            }
+            try (PhysicsWorld world =
+                    PhysicsWorld.builder().substeps(16).gravity(0, 0, 0).sleeping(false).build()) {
+                Material material = new Material(0, 0, 1000);
+                world.add(Body.fixed().shape(HalfSpace.of()).material(material));
+                world.add(
+                        Body.dynamic()
+                                .shape(ConvexHull.of(List.of(corners)))
+                                .at(0, 0.06, 0)
+                                .rotation(turn(random))
+                                .velocity(0, -1.4, 0)
+                                .mass(90)
+                                .material(material));
+                double start = world.kineticEnergy();
+                for (int tick = 0; tick < 40; tick++) {
+                    world.step(0.0027);
+                    double gain = world.kineticEnergy() / start - 1;
+                    int needle = n;
+                    assertTrue(gain < 1e-9, () -> "needle " + needle + " gains " + gain);
+                }
+            }
+        }
+    }
+
+    /**
+     * Nor is one put up that gravity alone moves by a hundred times its thickness in a tick: by no
+     * more than that way, {@code g t²}, which is as near as its landing can be told.
+     */
+    @Test
+    void noNeedleIsPutUp() {
+        for (int n = 0; n < 60; n++) {
+            Random random = new Random(SEED + n);
+            try (PhysicsWorld world =
+                    PhysicsWorld.builder().substeps(2).sleeping(false).build()) {
+                Material material = new Material(1.5, 0, 1000);
+                world.add(Body.fixed().shape(HalfSpace.of()).material(material));
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.ofHalfExtents(1e-5, 1.1e-5, 0.0025))
+                                .at(0, 0.004, 0)
+                                .rotation(turn(random))
+                                .mass(500)
+                                .material(material));
+                double start = world.kineticEnergy() + world.potentialEnergy();
+                for (int tick = 0; tick < 120; tick++) {
+                    world.step(1.0 / 60);
+                    double now = world.kineticEnergy() + world.potentialEnergy();
+                    double height = (now - start) / (500 * 9.81);
+                    int needle = n;
+                    assertTrue(
+                            height < 9.81 / (60 * 60),
+                            () -> "needle " + needle + " is put up by " + height + " m");
+                }
+            }
+        }
+    }
+
     @Test
     void whatOthersTouchChangesNoBit() {
         for (int n = 0; n < 10; n++) {
@@ -98,13 +170,7 @@ class NeedleTest {
 
     private static BodyRef drop(PhysicsWorld world, int n, double restitution) {
         Random random = new Random(SEED + n);
-        Quaterniond turn =
-                new Quaterniond(
-                                random.nextGaussian(),
-                                random.nextGaussian(),
-                                random.nextGaussian(),
-                                random.nextGaussian())
-                        .normalize();
+        Quaterniond turn = turn(random);
         Material material = new Material(0.6, restitution, 1000);
         world.add(Body.fixed().shape(HalfSpace.of()).material(material));
         return world.add(
@@ -113,5 +179,14 @@ class NeedleTest {
                         .at(0, 0.05, 0)
                         .rotation(turn)
                         .material(material));
+    }
+
+    private static Quaterniond turn(Random random) {
+        return new Quaterniond(
+                        random.nextGaussian(),
+                        random.nextGaussian(),
+                        random.nextGaussian(),
+                        random.nextGaussian())
+                .normalize();
     }
 }

@@ -101,6 +101,9 @@ public final class SolverBodies {
 
     public boolean[] shifted = {};
 
+    /** By slot: the share of a sub-step by which a body moves, 0 to 1. */
+    public double[] pace = {};
+
     /** Whether a body with contacts turns in this tick, so that energy is bounded by island. */
     public boolean boundsEnergy;
 
@@ -154,6 +157,7 @@ public final class SolverBodies {
             fastest = new double[n];
             impactTime = new double[n];
             shifted = new boolean[n];
+            pace = new double[n];
         }
         axes.ensureCapacity(slots);
     }

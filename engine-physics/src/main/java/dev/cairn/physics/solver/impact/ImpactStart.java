@@ -18,10 +18,9 @@ import dev.cairn.physics.solver.body.SolverBodies;
  */
 public final class ImpactStart {
     /** So much may momentum and energy miss each other, as a share; needles miss by factors. */
-    private static final double MISS = 0.05;
+    private static final double MISS = 0.3;
 
     private final double[] momentum = new double[3], spin = new double[3];
-    private final double[] root = new double[SolverBodies.ROOT];
 
     /**
      * Moves the start of the path of a moving body.
@@ -75,24 +74,28 @@ public final class ImpactStart {
         int o = SolverBodies.offset(slot);
         int w = o + SolverBodies.V + 3;
         int k = (slot + 1) * SolverBodies.ROOT;
-        System.arraycopy(r, k, root, 0, SolverBodies.ROOT);
+        double twice = square(v, w);
         bodies.momentum(slot, momentum);
-        bodies.rootOfInertia(store, slot, v[o + SolverBodies.GRAVITY]);
-        double twice = 0;
-        double square = 0;
         for (int c = 0; c < 3; c++) {
-            // u = L^T (angular momentum), and |u|² is twice the energy
-            spin[c] = r[k + c] * momentum[0] + r[k + 3 + c] * momentum[1] + r[k + 6 + c] * momentum[2];
-            square += spin[c] * spin[c];
-            twice += v[w + c] * v[w + c];
+            spin[c] = bodies.world(slot, w, c);
         }
-        double scale = Math.sqrt(twice / square);
-        boolean fits = Math.abs(scale - 1) <= MISS;
-        for (int c = 0; c < 3 && fits; c++) {
-            v[w + c] = scale * spin[c];
+        bodies.rootOfInertia(store, slot, v[o + SolverBodies.GRAVITY]);
+        for (int c = 0; c < 3; c++) {
+            // L^T (angular momentum)
+            v[w + c] =
+                    r[k + c] * momentum[0] + r[k + 3 + c] * momentum[1] + r[k + 6 + c] * momentum[2];
         }
-        if (!fits) {
-            System.arraycopy(root, 0, r, k, SolverBodies.ROOT);
+        double scale = Math.sqrt(twice / square(v, w));
+        if (!(Math.abs(scale - 1) <= MISS)) {
+            bodies.weigh(slot, spin[0], spin[1], spin[2]);
+            scale = Math.sqrt(twice / square(v, w));
         }
+        for (int c = 0; c < 3 && scale > 0; c++) {
+            v[w + c] *= scale;
+        }
+    }
+
+    private static double square(double[] v, int w) {
+        return v[w] * v[w] + v[w + 1] * v[w + 1] + v[w + 2] * v[w + 2];
     }
 }

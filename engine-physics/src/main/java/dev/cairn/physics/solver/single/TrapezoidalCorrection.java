@@ -33,6 +33,12 @@ final class TrapezoidalCorrection {
     /** Square of a turn, rad, that is too small to make up for. */
     private static final double LEAST_TURN = 1e-24;
 
+    /** Square of the share of the bias pass's turning up to which a body is still. */
+    private static final double STILL = 1e-6;
+
+    /** Share of the deepest overlap that counts as pushed out. */
+    private static final double LEAST_PUSH = 1e-6;
+
     /**
      * Square of a body's turn in a sub-step, rad, beyond which the mean of two velocities is not
      * the motion between them: a rod that lands on its tip begins to turn within the sub-step, and
@@ -99,7 +105,6 @@ final class TrapezoidalCorrection {
         if (!(x * x + y * y + z * z > LEAST_TURN) || turns > MOST_TURN) {
             return 0;
         }
-        Rotation.turn(b, i, x, y, z);
         double[] root = s.root;
         int k = (i + 1) * SolverBodies.ROOT;
         double[] v = s.state;
@@ -107,13 +112,19 @@ final class TrapezoidalCorrection {
         for (int c = 0; c < 3; c++) {
             w[g + c] =
                     root[k + 9 + c] * (root[k + c] * x + root[k + 3 + c] * y + root[k + 6 + c] * z);
-            v[o + P + 3 + c] += w[g + c];
         }
         int r = rows.base(place);
         int arm =
                 rows.link[place * ConstraintRows.LINK] == o
                         ? ConstraintRows.ARM_A
                         : ConstraintRows.ARM_B;
+        if (isStill(s, i, STILL * turns / (h * h)) && lowersDeepest(rows, place, arm, w, g)) {
+            return 0;
+        }
+        Rotation.turn(b, i, x, y, z);
+        for (int c = 0; c < 3; c++) {
+            v[o + P + 3 + c] += w[g + c];
+        }
         double sum = 0;
         double low = 0;
         for (int p = 0; p < rows.points(place); p++) {
@@ -123,6 +134,41 @@ final class TrapezoidalCorrection {
             low += l * RowArithmetic.dot(rows.doubles, q + arm * rows.lanes, rows.lanes, w, g);
         }
         return sum > 0 ? low / sum : 0;
+    }
+
+    /** Whether the square of a body's turning before and after the sub-step is below a bound. */
+    private static boolean isStill(SolverBodies s, int i, double most) {
+        int o = SolverBodies.offset(i);
+        int g = MotionRecord.STRIDE * i;
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            double after = s.world(i, o + V + 3, c);
+            double before = s.motion[g + 9 + c] - s.motion[g + 6 + c];
+            sum += before * before + after * after;
+        }
+        return sum < most;
+    }
+
+    /**
+     * Whether a turn, weighted, at {@code turn[g]}, lowers the point that overlaps most: then it is
+     * the turn of a push that it takes back.
+     */
+    private static boolean lowersDeepest(
+            ConstraintRows rows, int place, int arm, double[] turn, int g) {
+        double deepest = 0;
+        double change = 0;
+        double side = arm == ConstraintRows.ARM_A ? -1 : 1;
+        for (int p = 0; p < rows.points(place); p++) {
+            int q =
+                    rows.base(place)
+                            + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * rows.lanes;
+            double gap = rows.doubles[q + ConstraintRows.SEPARATION * rows.lanes];
+            if (gap < deepest) {
+                deepest = gap;
+                change = side * RowArithmetic.dot(rows.doubles, q + arm * rows.lanes, rows.lanes, turn, g);
+            }
+        }
+        return change < LEAST_PUSH * deepest;
     }
 
     /**
