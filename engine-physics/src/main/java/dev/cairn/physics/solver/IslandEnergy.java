@@ -177,18 +177,12 @@ final class IslandEnergy {
      */
     void pace(SolverContext tick, int head, int tail) {
         double[] pace = tick.body.pace;
-        double far = 0;
-        double h = tick.subStep;
+        boolean any = false;
         for (int k = head; k < tail; k++) {
-            int i = tick.order[k];
-            int o = SolverBodies.offset(i) + V + 3;
-            double x = tick.body.world(i, o, 0);
-            double y = tick.body.world(i, o, 1);
-            double z = tick.body.world(i, o, 2);
-            far = Math.max(far, x * x + y * y + z * z);
-            pace[i] = 1;
+            any |= tick.body.turnsFaster(tick.order[k], SPUN / tick.subStep);
+            pace[tick.order[k]] = 1;
         }
-        if (!(far * (h * h) > SPUN * SPUN)) {
+        if (!any) {
             return;
         }
         sum(tick, head, tail);

@@ -256,6 +256,27 @@ public final class SolverBodies {
         }
     }
 
+    /**
+     * Whether a body turns faster than a rate. Most are told by {@code |w|² <= |u|² max s²}, s being
+     * the lengths of the root's columns.
+     *
+     * @param rate rad/s
+     */
+    public boolean turnsFaster(int i, double rate) {
+        int o = offset(i) + V + 3;
+        int k = (i + 1) * ROOT;
+        double square = rate * rate;
+        double u =
+                state[o] * state[o] + state[o + 1] * state[o + 1] + state[o + 2] * state[o + 2];
+        if (u <= square * Math.min(Math.min(root[k + 9], root[k + 10]), root[k + 11])) {
+            return false;
+        }
+        double x = world(i, o, 0);
+        double y = world(i, o, 1);
+        double z = world(i, o, 2);
+        return x * x + y * y + z * z > square;
+    }
+
     /** Component {@code axis} of {@code L u}, u the weighted vector at {@code state[o]}. */
     public double world(int i, int o, int axis) {
         int k = (i + 1) * ROOT + 3 * axis;

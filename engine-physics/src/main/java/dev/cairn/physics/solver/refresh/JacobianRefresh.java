@@ -302,23 +302,22 @@ public final class JacobianRefresh {
      * within a sub-step that energy would no longer be half a square in the old one.
      */
     public void turnedFar(SolverBodies s, BodyStore b, int i, double seconds) {
-        if (s.axes.isIsotropic(i)) {
+        if (s.axes.isIsotropic(i) || !s.turnsFaster(i, SPUN / seconds)) {
             return;
         }
-        int o = SolverBodies.offset(i);
-        double x = s.world(i, o + 3, 0);
-        double y = s.world(i, o + 3, 1);
-        double z = s.world(i, o + 3, 2);
-        if ((x * x + y * y + z * z) * (seconds * seconds) > SPUN * SPUN) {
-            int w = (i + 1) * SolverBodies.HALF + 3;
-            double p = s.state[o + 3] - s.mark[w];
-            double q = s.state[o + 4] - s.mark[w + 1];
-            double r = s.state[o + 5] - s.mark[w + 2];
-            s.rootOfInertia(b, i, s.state[o + SolverBodies.GRAVITY]);
-            s.weigh(i, x, y, z);
-            s.mark[w] = s.state[o + 3] - p;
-            s.mark[w + 1] = s.state[o + 4] - q;
-            s.mark[w + 2] = s.state[o + 5] - r;
+        int o = SolverBodies.offset(i) + 3;
+        int w = (i + 1) * SolverBodies.HALF + 3;
+        double x = s.world(i, o, 0);
+        double y = s.world(i, o, 1);
+        double z = s.world(i, o, 2);
+        // what the contacts have given so far stays
+        for (int c = 0; c < 3; c++) {
+            s.mark[w + c] -= s.state[o + c];
+        }
+        s.rootOfInertia(b, i, s.state[SolverBodies.offset(i) + SolverBodies.GRAVITY]);
+        s.weigh(i, x, y, z);
+        for (int c = 0; c < 3; c++) {
+            s.mark[w + c] += s.state[o + c];
         }
     }
 
