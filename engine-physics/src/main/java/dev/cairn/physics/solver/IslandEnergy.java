@@ -170,10 +170,10 @@ final class IslandEnergy {
     }
 
     /**
-     * Before bodies move: how much of the sub-step each of them moves, 1 for nearly all. What a bias
-     * pass gives to an island that turns far is not all taken back, and a movement is energy, too: a
-     * needle of a micrometre was put up by 7 mm in one tick. So the island moves no farther than
-     * with 1.5 times the energy that it has without contacts.
+     * Before bodies move: how much of the sub-step each of them moves, 1 for nearly all. What a
+     * bias pass gives to an island that turns far is not all taken back, and a movement is energy,
+     * too: a needle of a micrometre was put up by 7 mm in one tick. So the island moves no farther
+     * than with 1.5 times the energy that it has without contacts.
      */
     void pace(SolverContext tick, int head, int tail) {
         double[] pace = tick.body.pace;

@@ -114,8 +114,7 @@ class NeedleTest {
     void noNeedleIsPutUp() {
         for (int n = 0; n < 60; n++) {
             Random random = new Random(SEED + n);
-            try (PhysicsWorld world =
-                    PhysicsWorld.builder().substeps(2).sleeping(false).build()) {
+            try (PhysicsWorld world = PhysicsWorld.builder().substeps(2).sleeping(false).build()) {
                 Material material = new Material(1.5, 0, 1000);
                 world.add(Body.fixed().shape(HalfSpace.of()).material(material));
                 world.add(

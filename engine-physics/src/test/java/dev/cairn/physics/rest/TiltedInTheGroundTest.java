@@ -22,8 +22,7 @@ class TiltedInTheGroundTest {
         double start = halfWidth * Math.sin(tiltRadians);
         long[] digest = new long[2];
         for (int variant = 0; variant < 2; variant++) {
-            PhysicsSettings settings =
-                    PhysicsSettings.DEFAULT.withLanes(variant == 0 ? 1 : 4);
+            PhysicsSettings settings = PhysicsSettings.DEFAULT.withLanes(variant == 0 ? 1 : 4);
             try (PhysicsWorld world =
                     PhysicsWorld.builder()
                             .settings(settings)
@@ -34,9 +33,7 @@ class TiltedInTheGroundTest {
                 BodyRef body =
                         world.add(
                                 Body.dynamic()
-                                        .shape(
-                                                Box.ofHalfExtents(
-                                                        halfWidth, halfHeight, halfWidth))
+                                        .shape(Box.ofHalfExtents(halfWidth, halfHeight, halfWidth))
                                         .at(0, halfHeight * Math.cos(tiltRadians), 0)
                                         .rotationAbout(0, 0, 1, tiltRadians));
                 for (int tick = 0; tick < 600; tick++) {

@@ -243,7 +243,9 @@ public final class SolverBodies {
         state[o + 2] = r[k + 11] * (r[k + 2] * x + r[k + 5] * y + r[k + 8] * z) + 0.0;
     }
 
-    /** Writes the angular momentum about the centre of mass, {@code L^-T} of the weighted velocity. */
+    /**
+     * Writes the angular momentum about the centre of mass, {@code L^-T} of the weighted velocity.
+     */
     public void momentum(int i, double[] destination) {
         double[] r = root;
         int k = (i + 1) * ROOT;
@@ -257,8 +259,8 @@ public final class SolverBodies {
     }
 
     /**
-     * Whether a body turns faster than a rate. Most are told by {@code |w|² <= |u|² max s²}, s being
-     * the lengths of the root's columns.
+     * Whether a body turns faster than a rate. Most are told by {@code |w|² <= |u|² max s²}, s
+     * being the lengths of the root's columns.
      *
      * @param rate rad/s
      */
@@ -266,8 +268,7 @@ public final class SolverBodies {
         int o = offset(i) + V + 3;
         int k = (i + 1) * ROOT;
         double square = rate * rate;
-        double u =
-                state[o] * state[o] + state[o + 1] * state[o + 1] + state[o + 2] * state[o + 2];
+        double u = state[o] * state[o] + state[o + 1] * state[o + 1] + state[o + 2] * state[o + 2];
         if (u <= square * Math.min(Math.min(root[k + 9], root[k + 10]), root[k + 11])) {
             return false;
         }

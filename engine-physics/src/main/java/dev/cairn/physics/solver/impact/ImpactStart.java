@@ -8,8 +8,8 @@ import dev.cairn.physics.solver.body.SolverBodies;
 /**
  * Moves the start of a body's path after an impact within a sub-step.
  *
- * <p>A change {@code dv} of velocity at time t is the same path as the change now, from a start that
- * is moved by {@code -t dv}; so it is with a turn. But a body whose moments differ has another
+ * <p>A change {@code dv} of velocity at time t is the same path as the change now, from a start
+ * that is moved by {@code -t dv}; so it is with a turn. But a body whose moments differ has another
  * momentum and another energy with the same angular velocity once it is turned. So it gets the
  * velocity that fits those of before: without that a plate of 0.6 m that bounced on its rim gained
  * 1e-3 of its energy.
@@ -83,7 +83,9 @@ public final class ImpactStart {
         for (int c = 0; c < 3; c++) {
             // L^T (angular momentum)
             v[w + c] =
-                    r[k + c] * momentum[0] + r[k + 3 + c] * momentum[1] + r[k + 6 + c] * momentum[2];
+                    r[k + c] * momentum[0]
+                            + r[k + 3 + c] * momentum[1]
+                            + r[k + 6 + c] * momentum[2];
         }
         double scale = Math.sqrt(twice / square(v, w));
         if (!(Math.abs(scale - 1) <= MISS)) {

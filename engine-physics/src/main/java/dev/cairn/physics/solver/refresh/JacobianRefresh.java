@@ -298,8 +298,8 @@ public final class JacobianRefresh {
     }
 
     /**
-     * Gives a body whose rows stay as they are the root of its present inertia, once it turns so far
-     * within a sub-step that energy would no longer be half a square in the old one.
+     * Gives a body whose rows stay as they are the root of its present inertia, once it turns so
+     * far within a sub-step that energy would no longer be half a square in the old one.
      */
     public void turnedFar(SolverBodies s, BodyStore b, int i, double seconds) {
         if (s.axes.isIsotropic(i) || !s.turnsFaster(i, SPUN / seconds)) {

@@ -165,7 +165,10 @@ final class TrapezoidalCorrection {
             double gap = rows.doubles[q + ConstraintRows.SEPARATION * rows.lanes];
             if (gap < deepest) {
                 deepest = gap;
-                change = side * RowArithmetic.dot(rows.doubles, q + arm * rows.lanes, rows.lanes, turn, g);
+                change =
+                        side
+                                * RowArithmetic.dot(
+                                        rows.doubles, q + arm * rows.lanes, rows.lanes, turn, g);
             }
         }
         return change < LEAST_PUSH * deepest;
