@@ -49,6 +49,12 @@ final class SurfaceStage {
     /** What a name in common weighs, in cosines of the angle between normals. */
     private static final double NAME = 0.5;
 
+    /**
+     * Of the share of the inner radius that is looked through beyond where bodies may go: a surface
+     * has more points within it than carry.
+     */
+    private static final double STILL = 0.25;
+
     /** In place of how many contacts a pair has: those of the last tick. */
     private static final int KEPT = -1;
 
@@ -186,14 +192,20 @@ final class SurfaceStage {
         double vx = reach * (ahead[j] - ahead[i]);
         double vy = reach * (ahead[j + 1] - ahead[i + 1]);
         double vz = reach * (ahead[j + 2] - ahead[i + 2]);
-        double still = bounds.speculativeFraction * colliders.innerRadius[b];
-        double margin =
-                Math.sqrt(vx * vx + vy * vy + vz * vz) + ahead[j + 3] + ahead[i + 3] + still;
+        double still = STILL * bounds.speculativeFraction * colliders.innerRadius[b];
+        double within = ahead[j + 3] + ahead[i + 3] + still;
+        double most = within + Math.sqrt(vx * vx + vy * vy + vz * vz);
         // half of what is looked through beyond where they may go is more than kept pairs move
-        if (own.recycler.renew(row, s, b, margin, 0.5 * still)) {
+        if (own.recycler.renew(row, s, b, most, 0.5 * still)) {
             return false;
         }
-        own.recycler.keep(row, s, b, margin);
+        if (own.recycler.keep(row, s, b, most)) {
+            // it may go another way while it is kept
+            within = most;
+            vx = 0;
+            vy = 0;
+            vz = 0;
+        }
         own.turn(p, s, colliders.shape[s]);
         remember(row, isFirst, own);
         own.mesh.collide(
@@ -213,7 +225,7 @@ final class SurfaceStage {
                 vx,
                 vy,
                 vz,
-                margin,
+                within,
                 out);
         return true;
     }

@@ -36,11 +36,12 @@ public final class MeshContact {
     private final MeshFrame frame = new MeshFrame();
     private final double[] box = new double[6], corner = new double[9];
 
-    /** The shape: its orientation and centre in the mesh's frame, and how it goes in the reach. */
-    private double qx, qy, qz, qw, cx, cy, cz, driftX, driftY, driftZ;
+    /** The shape: its orientation and centre in the mesh's frame. */
+    private double qx, qy, qz, qw, cx, cy, cz;
 
     private Shape shape = HalfSpace.of();
-    private double margin, tolerance;
+    private double tolerance;
+    private final Margin margin = new Margin();
 
     /** The triangle at hand: its unit normal towards the shape. */
     private double nx, ny, nz;
@@ -64,7 +65,7 @@ public final class MeshContact {
      * @param narrowPhase collides single triangles
      */
     public MeshContact(NarrowPhase narrowPhase) {
-        rim = new RimSearch(narrowPhase, faces, loose);
+        rim = new RimSearch(narrowPhase, faces, loose, margin);
     }
 
     /**
@@ -86,7 +87,8 @@ public final class MeshContact {
      * @param bx its orientation
      * @param dx its centre minus the origin of the surface, world axes, m
      * @param vx how far it goes, seen from the surface, while points are looked for, world axes, m
-     * @param within points up to this far apart are reported, m
+     * @param within points up to this far apart are reported, and by so much farther as the shape
+     *     comes nearer along their normal, m
      * @param out receives the contacts, after what it holds
      */
     public void collide(
@@ -109,16 +111,13 @@ public final class MeshContact {
             double within,
             ContactList out) {
         set = triangles;
-        margin = within;
         shape = frame.set(ax, ay, az, aw, convex, bx, by, bz, bw);
         qx = frame.qx;
         qy = frame.qy;
         qz = frame.qz;
         qw = frame.qw;
         frame.toMesh(vx, vy, vz);
-        driftX = frame.x;
-        driftY = frame.y;
-        driftZ = frame.z;
+        margin.set(within, frame.x, frame.y, frame.z);
         frame.toMesh(dx, dy, dz);
         cx = frame.x;
         cy = frame.y;
@@ -126,9 +125,10 @@ public final class MeshContact {
         shape.bounds(qx, qy, qz, qw, box, 0);
         for (int axis = 0; axis < 3; axis++) {
             double c = axis == 0 ? cx : axis == 1 ? cy : cz;
-            box[axis] += c - margin;
-            box[axis + 3] += c + margin;
+            box[axis] += c;
+            box[axis + 3] += c;
         }
+        margin.widen(box);
         int cover = set.above(cx, cy, cz);
         isInside = cover >= 0;
         if (isInside) {
@@ -141,7 +141,7 @@ public final class MeshContact {
             tolerance = ContactTolerances.ON_PLANE * pair.inner;
             faces.clear();
             rim.begin(set, found);
-            rim.place(shape, pair, qx, qy, qz, qw, cx, cy, cz, margin, tolerance);
+            rim.place(shape, pair, qx, qy, qz, qw, cx, cy, cz, tolerance);
             for (int i = 0; i < found.count; i++) {
                 look(found.triangle[i]);
             }
@@ -192,7 +192,7 @@ public final class MeshContact {
             height = -height;
         }
         toShape(nx, ny, nz);
-        if (height - pair.reachA(-tx, -ty, -tz) - pair.radiusA > margin) {
+        if (height - pair.reachA(-tx, -ty, -tz) - pair.radiusA > margin.along(nx, ny, nz)) {
             return;
         }
         int edges = set.edges(t);
@@ -282,7 +282,7 @@ public final class MeshContact {
         }
         keepOver(g, c);
         if (c.count == 0 && !pair.roundA) {
-            c.addCorners(pair.a, height, ux, uy, uz, margin);
+            c.addCorners(pair.a, height, ux, uy, uz, margin.along(nx, ny, nz));
             keepOver(g, c);
         }
         boolean whole = disc && c.count >= Manifold.POINTS;
@@ -296,11 +296,12 @@ public final class MeshContact {
      */
     private void keepOver(int g, Clipper c) {
         double room = UNDER * pair.inner;
-        double fall = -(driftX * nx + driftY * ny + driftZ * nz);
+        double fall = margin.closing(nx, ny, nz);
+        double most = margin.along(nx, ny, nz);
         int kept = 0;
         for (int i = 0; i < c.count; i++) {
             double separation = c.separation[i];
-            if (separation > margin) {
+            if (separation > most) {
                 continue;
             }
             fromShape(c.x[i], c.y[i], c.z[i]);
@@ -313,9 +314,9 @@ public final class MeshContact {
                 below =
                         faces.under(
                                 g,
-                                x + time * driftX,
-                                y + time * driftY,
-                                z + time * driftZ,
+                                x + time * margin.driftX,
+                                y + time * margin.driftY,
+                                z + time * margin.driftZ,
                                 tolerance,
                                 room);
             }
@@ -374,7 +375,7 @@ public final class MeshContact {
 
     /** At most four points, in world axes, midway between the surfaces. */
     private void finish(Clipper c, int names, double share, ContactList out) {
-        cornerOrder.sort(c, nx, ny, nz, margin);
+        cornerOrder.sort(c, nx, ny, nz, margin.along(nx, ny, nz));
         if (c.count == 0) {
             return;
         }

@@ -21,6 +21,7 @@ final class RimSearch {
     private final NarrowPhase narrowPhase;
     private final FaceRegions faces;
     private final EdgePoints loose;
+    private final Margin margin;
     private final ConvexHull view = ConvexHull.triangle();
     private final Polyhedron flat = Polyhedron.of(view);
     private final NormalCone cone = new NormalCone();
@@ -33,7 +34,7 @@ final class RimSearch {
     private TriangleSet.Found found = new TriangleSet.Found();
     private Shape shape = view;
     private Pair pair = Pair.NONE;
-    private double qx, qy, qz, qw, cx, cy, cz, margin, tolerance;
+    private double qx, qy, qz, qw, cx, cy, cz, tolerance;
 
     /** The triangle at hand: its unit normal towards the shape, and 1, or -1 from the back. */
     private double nx, ny, nz, front;
@@ -45,11 +46,13 @@ final class RimSearch {
      *
      * @param narrowPhase collides single triangles
      * @param loose receives the points
+     * @param margin up to which points are of interest
      */
-    RimSearch(NarrowPhase narrowPhase, FaceRegions faces, EdgePoints loose) {
+    RimSearch(NarrowPhase narrowPhase, FaceRegions faces, EdgePoints loose, Margin margin) {
         this.narrowPhase = narrowPhase;
         this.faces = faces;
         this.loose = loose;
+        this.margin = margin;
     }
 
     /** Chooses the surface, and which triangles are near. */
@@ -66,7 +69,6 @@ final class RimSearch {
      * @param convex with its orientation in the mesh's axes
      * @param own whose A it is
      * @param x its centre in the mesh's frame, m
-     * @param within points up to this far apart are of interest, m
      * @param tolerated how far from a place one is on it, m
      */
     void place(
@@ -79,7 +81,6 @@ final class RimSearch {
             double x,
             double y,
             double z,
-            double within,
             double tolerated) {
         shape = convex;
         pair = own;
@@ -90,7 +91,6 @@ final class RimSearch {
         cx = x;
         cy = y;
         cz = z;
-        margin = within;
         tolerance = tolerated;
     }
 
@@ -151,7 +151,7 @@ final class RimSearch {
 
     /** Points of the triangle's edges and corners on which a flat of the shape lies. */
     private void lies(int t, int group, double gx, double gy, double gz) {
-        Clipper c = rims.cut(view, front, shape, qx, qy, qz, qw, gx, gy, gz, nx, ny, nz, margin);
+        Clipper c = rims.cut(view, front, shape, qx, qy, qz, qw, gx, gy, gz, nx, ny, nz, margin.along(nx, ny, nz));
         for (int i = 0; i < c.count; i++) {
             int name = TriangleFeatures.shared(set, t, c.feature[i]);
             int kind = name & FeatureIds.CLOSEST;
@@ -174,7 +174,7 @@ final class RimSearch {
     /** Points of the triangle's edges and corners where the surface lets their normal be. */
     private void standsOut(int t, int group, double gx, double gy, double gz) {
         narrowPhase.collide(
-                view, shape, 0, 0, 0, 1, qx, qy, qz, qw, -gx, -gy, -gz, margin, 0, manifold);
+                view, shape, 0, 0, 0, 1, qx, qy, qz, qw, -gx, -gy, -gz, margin.most(), 0, manifold);
         Manifold m = manifold;
         double along = m.normalX * nx + m.normalY * ny + m.normalZ * nz;
         boolean any = false;
@@ -189,6 +189,9 @@ final class RimSearch {
     /** Takes a point of the manifold; returns whether its normal may be there. */
     private boolean stands(int t, int group, int i, double along, double gx, double gy, double gz) {
         Manifold m = manifold;
+        if (m.separation[i] > margin.along(m.normalX, m.normalY, m.normalZ)) {
+            return false;
+        }
         double half = m.separation[i] / 2;
         double x = m.pointX[i] + gx;
         double y = m.pointY[i] + gy;
@@ -226,6 +229,9 @@ final class RimSearch {
     private void nearest(int t, double gx, double gy, double gz) {
         Manifold m = manifold;
         double d = narrowPhase.closest(view, shape, 0, 0, 0, 1, qx, qy, qz, qw, -gx, -gy, -gz, m);
+        if (d > margin.along(m.normalX, m.normalY, m.normalZ)) {
+            return;
+        }
         double half = d / 2;
         double x = m.pointX[0] + gx;
         double y = m.pointY[0] + gy;
@@ -233,8 +239,7 @@ final class RimSearch {
         double px = x - half * m.normalX;
         double py = y - half * m.normalY;
         double pz = z - half * m.normalZ;
-        if (d <= margin
-                && isOut(t, px, py, pz)
+        if (isOut(t, px, py, pz)
                 && m.normalX * nx + m.normalY * ny + m.normalZ * nz > 0
                 && allows(px, py, pz, m.normalX, m.normalY, m.normalZ)) {
             int own = loose.group(m.normalX, m.normalY, m.normalZ);

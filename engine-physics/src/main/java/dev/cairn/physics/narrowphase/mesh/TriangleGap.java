@@ -29,7 +29,7 @@ final class TriangleGap {
      * @param pair whose A is the shape, with its orientation in the mesh's axes
      * @return false says nothing
      */
-    boolean isApart(double[] corner, double nx, double ny, double nz, Pair pair, double margin) {
+    boolean isApart(double[] corner, double nx, double ny, double nz, Pair pair, Margin margin) {
         double nearest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < 9; i += 3) {
             int j = i == 6 ? 0 : i + 3;
@@ -53,7 +53,8 @@ final class TriangleGap {
             double length = Math.sqrt(ox * ox + oy * oy + oz * oz);
             s /= length;
             out /= length;
-            if (out > margin && out - reach(pair, s * ox, s * oy, s * oz) > margin) {
+            double most = margin.along(-s * ox, -s * oy, -s * oz);
+            if (out > most && out - reach(pair, s * ox, s * oy, s * oz) > most) {
                 return true;
             }
             nearest = Math.min(nearest, toEdge(corner, i, ex, ey, ez, nearest));
@@ -63,7 +64,8 @@ final class TriangleGap {
         }
         double distance = Math.sqrt(nearest);
         double u = 1 / distance;
-        return distance > margin && distance - reach(pair, u * qx, u * qy, u * qz) > margin;
+        double most = margin.along(-u * qx, -u * qy, -u * qz);
+        return distance > most && distance - reach(pair, u * qx, u * qy, u * qz) > most;
     }
 
     /** Square of the distance to an edge; keeps its nearest point if that is nearer. */
