@@ -135,19 +135,40 @@ final class RidgeCulling {
         return left;
     }
 
-    /** Whether of all normals between those at its ridges that of a triangle separates most. */
-    boolean isBest(TriangleSet set, int t, int edges, double nx, double ny, double nz) {
+    /** Which ridges of a triangle may be touched along a normal between those of their faces. */
+    int between(TriangleSet set, int t, int edges) {
+        int left = edges;
+        for (int e = 0; e < 3; e++) {
+            if ((edges >> e & 1) != 0) {
+                int at = NUMBERS * slot(key(set, t, e));
+                double most = Math.max(number[at + FIRST], number[at + OTHER]);
+                left &= most > number[at + TANGENT] ? ~(1 << e) : -1;
+            }
+        }
+        return left;
+    }
+
+    /**
+     * At which ridges of a triangle its normal separates more than that of the other face.
+     *
+     * @param edges none of {@link #between}
+     * @return 0 if at one of them the other face, at a larger angle than flats may have, does
+     */
+    int own(TriangleSet set, int t, int edges, double nx, double ny, double nz) {
+        int own = 0;
         for (int e = 0; e < 3; e++) {
             if ((edges >> e & 1) != 0) {
                 int at = NUMBERS * slot(key(set, t, e));
                 double[] n = number;
                 boolean isFirst = nx == n[at] && ny == n[at + 1] && nz == n[at + 2];
-                if (!(n[at + (isFirst ? FIRST : OTHER)] > n[at + TANGENT])) {
-                    return false;
+                if (n[at + (isFirst ? FIRST : OTHER)] > n[at + TANGENT]) {
+                    own |= 1 << e;
+                } else if (n[at + TANGENT] > LEAN) {
+                    return 0;
                 }
             }
         }
-        return true;
+        return own;
     }
 
     /** Puts the point of the shape that is farthest in a direction into s. */

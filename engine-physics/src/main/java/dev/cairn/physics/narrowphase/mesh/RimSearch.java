@@ -128,11 +128,17 @@ final class RimSearch {
         flags = faces.edges(i);
         int open = flags / TriangleSet.OPEN & TriangleSet.ALL;
         int ridges = ridges();
-        if ((open | calm.others(set, t, ridges)) == 0
-                || gap.isApart(corner, nx, ny, nz, pair, margin)) {
+        int others = calm.others(set, t, ridges);
+        if ((open | others) == 0) {
             return;
         }
-        boolean oneNormal = open == 0 && calm.isBest(set, t, ridges, nx, ny, nz);
+        boolean oneNormal = open == 0 && calm.between(set, t, ridges) == 0;
+        if (oneNormal && (others & calm.own(set, t, ridges, nx, ny, nz)) == 0) {
+            return;
+        }
+        if (gap.isApart(corner, nx, ny, nz, pair, margin)) {
+            return;
+        }
         double gx = (corner[0] + corner[3] + corner[6]) / 3;
         double gy = (corner[1] + corner[4] + corner[7]) / 3;
         double gz = (corner[2] + corner[5] + corner[8]) / 3;
