@@ -25,7 +25,7 @@ public final class CornerOrder {
         int kept = 0;
         for (int i = 0; i < c.count; i++) {
             if (c.separation[i] <= margin) {
-                move(c, i, kept++);
+                c.move(i, kept++);
                 mx += c.x[i];
                 my += c.y[i];
                 mz += c.z[i];
@@ -69,7 +69,7 @@ public final class CornerOrder {
         int f = c.feature[i];
         int at = i;
         while (at > 0 && key[at - 1] > turn) {
-            move(c, at - 1, at);
+            c.move(at - 1, at);
             key[at] = key[at - 1];
             at--;
         }
@@ -79,13 +79,5 @@ public final class CornerOrder {
         c.separation[at] = s;
         c.feature[at] = f;
         key[at] = turn;
-    }
-
-    private static void move(Clipper c, int i, int to) {
-        c.x[to] = c.x[i];
-        c.y[to] = c.y[i];
-        c.z[to] = c.z[i];
-        c.separation[to] = c.separation[i];
-        c.feature[to] = c.feature[i];
     }
 }

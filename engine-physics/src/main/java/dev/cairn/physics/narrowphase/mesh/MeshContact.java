@@ -6,6 +6,7 @@ import dev.cairn.physics.narrowphase.clip.CornerOrder;
 import dev.cairn.physics.narrowphase.clip.Overlay;
 import dev.cairn.physics.narrowphase.clip.Patch;
 import dev.cairn.physics.narrowphase.clip.Reduction;
+import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
@@ -14,6 +15,7 @@ import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.mesh.MeshBuilder;
 import dev.cairn.physics.shape.mesh.TriangleSet;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * All contacts of a convex shape with a surface of triangles, see the package's essay. One instance
@@ -53,6 +55,9 @@ public final class MeshContact {
     private double deepest;
 
     private int under;
+
+    /** Of each point of a face the triangle under it. */
+    private int[] below = new int[32];
 
     private TriangleSet set = MeshBuilder.nothing();
 
@@ -191,8 +196,7 @@ public final class MeshContact {
             nz = -nz;
             height = -height;
         }
-        toShape(nx, ny, nz);
-        if (height - pair.reachA(-tx, -ty, -tz) - pair.radiusA > margin.along(nx, ny, nz)) {
+        if (height - rim.reach(nx, ny, nz) - pair.radiusA > margin.along(nx, ny, nz)) {
             return;
         }
         int edges = set.edges(t);
@@ -257,37 +261,73 @@ public final class MeshContact {
         double ux = tx;
         double uy = ty;
         double uz = tz;
-        int names = lastNames();
         deepest = Double.POSITIVE_INFINITY;
         under = faces.largest(g);
-        patch.fill(pair, false, -ux, -uy, -uz);
         Clipper c = overlay.out;
+        boolean disc = false;
+        if (pair.roundA) {
+            disc = rounds(c, height, ux, uy, uz);
+            keepOver(g, c);
+        } else {
+            c.count = 0;
+            c.addCorners(pair.a, height, ux, uy, uz, margin.along(nx, ny, nz));
+            keepOver(g, c);
+            if (c.count > 1) {
+                keepFlat(c, ux, uy, uz);
+            }
+        }
+        noteDeepest(c);
+        boolean whole = disc && c.count >= Manifold.POINTS;
+        addLoose(g, c);
+        finish(c, whole ? Patch.DISC_SHARE : 0, out);
+    }
+
+    /** The points of a solid of revolution on a plane; returns whether a disc lies on it. */
+    private boolean rounds(Clipper c, double height, double ux, double uy, double uz) {
+        patch.fill(pair, false, -ux, -uy, -uz);
         plane.ox = -height * ux;
         plane.oy = -height * uy;
         plane.oz = -height * uz;
-        overlay.begin(pair, plane, patch, ux, uy, uz, names);
-        boolean disc = patch.flat == Patch.DISC && patch.flatter;
+        overlay.begin(pair, plane, patch, ux, uy, uz, 0);
         if (!patch.line && patch.flat == Patch.NONE) {
             double reach = pair.radiusA;
             c.add(-reach * ux, -reach * uy, -reach * uz, height - reach, FeatureIds.CLOSEST);
-        } else {
-            patch.kind = FeatureIds.VERTEX_B;
-            patch.nameP |= FeatureIds.VERTEX_B;
-            patch.nameQ |= FeatureIds.VERTEX_B;
-            if (disc) {
-                overlay.discOnPlane();
-            } else {
-                overlay.restOnPlane();
+            return false;
+        }
+        patch.kind = FeatureIds.VERTEX_B;
+        patch.nameP |= FeatureIds.VERTEX_B;
+        patch.nameQ |= FeatureIds.VERTEX_B;
+        if (patch.flat == Patch.DISC && patch.flatter) {
+            overlay.discOnPlane();
+            return true;
+        }
+        overlay.restOnPlane();
+        return false;
+    }
+
+    /** Of a polyhedron's corners those of the face that looks at the plane, if any is there. */
+    private void keepFlat(Clipper c, double ux, double uy, double uz) {
+        Polyhedron p = pair.a;
+        int face = Axes.faceToward(p, p.support(-ux, -uy, -uz), -ux, -uy, -uz);
+        int kept = 0;
+        for (int i = 0; i < c.count; i++) {
+            int slot = p.faceBegin(face);
+            int end = p.faceBegin(face + 1);
+            while (slot < end && (FeatureIds.VERTEX_B | p.slotVertex(slot)) != c.feature[i]) {
+                slot++;
+            }
+            if (slot < end) {
+                below[kept] = below[i];
+                c.move(i, kept++);
             }
         }
-        keepOver(g, c);
-        if (c.count == 0 && !pair.roundA) {
-            c.addCorners(pair.a, height, ux, uy, uz, margin.along(nx, ny, nz));
-            keepOver(g, c);
+        c.count = kept > 0 ? kept : c.count;
+    }
+
+    private void noteDeepest(Clipper c) {
+        for (int i = 0; i < c.count; i++) {
+            note(c.separation[i], below[i]);
         }
-        boolean whole = disc && c.count >= Manifold.POINTS;
-        addLoose(g, c);
-        finish(c, names, whole ? Patch.DISC_SHARE : 0, out);
     }
 
     /**
@@ -299,6 +339,9 @@ public final class MeshContact {
         double fall = margin.closing(nx, ny, nz);
         double most = margin.along(nx, ny, nz);
         int kept = 0;
+        if (below.length < c.count) {
+            below = new int[2 * c.count];
+        }
         for (int i = 0; i < c.count; i++) {
             double separation = c.separation[i];
             if (separation > most) {
@@ -308,10 +351,10 @@ public final class MeshContact {
             double x = tx;
             double y = ty;
             double z = tz;
-            int below = isInside ? under : faces.under(g, x, y, z, tolerance, room);
-            if (below < 0 && separation > 0 && fall > 0) {
+            int at = isInside ? under : faces.under(g, x, y, z, tolerance, room);
+            if (at < 0 && separation > 0 && fall > 0) {
                 double time = Math.min(1, separation / fall);
-                below =
+                at =
                         faces.under(
                                 g,
                                 x + time * margin.driftX,
@@ -320,8 +363,8 @@ public final class MeshContact {
                                 tolerance,
                                 room);
             }
-            if (below >= 0) {
-                note(separation, below);
+            if (at >= 0) {
+                below[kept] = at;
                 c.x[kept] = x;
                 c.y[kept] = y;
                 c.z[kept] = z;
@@ -370,17 +413,17 @@ public final class MeshContact {
         c.count = 0;
         deepest = Double.POSITIVE_INFINITY;
         addLoose(-1 - g, c);
-        finish(c, lastNames(), 0, out);
+        finish(c, 0, out);
     }
 
     /** At most four points, in world axes, midway between the surfaces. */
-    private void finish(Clipper c, int names, double share, ContactList out) {
+    private void finish(Clipper c, double share, ContactList out) {
         cornerOrder.sort(c, nx, ny, nz, margin.along(nx, ny, nz));
         if (c.count == 0) {
             return;
         }
         double hysteresis = ContactTolerances.HYSTERESIS * pair.inner;
-        reduction.reduce(c, nx, ny, nz, 0.01 * hysteresis, hysteresis, names);
+        reduction.reduce(c, nx, ny, nz, 0.01 * hysteresis, hysteresis, lastNames());
         Manifold m = result;
         m.pointCount = 0;
         m.patch = c.count == Manifold.POINTS ? share : 0;

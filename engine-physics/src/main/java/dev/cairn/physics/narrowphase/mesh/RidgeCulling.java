@@ -65,8 +65,14 @@ final class RidgeCulling {
         }
     }
 
+    /** How far a shape's core reaches against a normal; {@link #look} at that face goes on. */
+    double reach(Pair pair, double nx, double ny, double nz) {
+        support(pair, -nx, -ny, -nz);
+        return -(nx * sx + ny * sy + nz * sz);
+    }
+
     /**
-     * Looks at the ridges of a triangle.
+     * Looks at the ridges of a triangle, after {@link #reach} towards it.
      *
      * @param edges bit e for a ridge from corner e to the next; later questions are about these
      * @param c three times x, y, z, from the shape's centre, mesh axes, m
@@ -88,7 +94,6 @@ final class RidgeCulling {
         if (edges == 0) {
             return;
         }
-        support(pair, -nx, -ny, -nz);
         double px = sx;
         double py = sy;
         double pz = sz;

@@ -95,6 +95,15 @@ final class RimSearch {
     }
 
     /**
+     * How far the core of the shape reaches towards a triangle, m.
+     *
+     * @param normalX unit normal of the triangle that is looked at next
+     */
+    double reach(double normalX, double normalY, double normalZ) {
+        return calm.reach(pair, normalX, normalY, normalZ);
+    }
+
+    /**
      * Looks which ridges of a triangle are calm, seen from it; of all before the first search.
      *
      * @param edges bits of its edges
