@@ -400,15 +400,6 @@ public final class Clipper {
         }
     }
 
-    /** Copies a corner to another place. */
-    public void move(int from, int to) {
-        x[to] = x[from];
-        y[to] = y[from];
-        z[to] = z[from];
-        separation[to] = separation[from];
-        feature[to] = feature[from];
-    }
-
     /** Makes room for a number of corners that are put here from elsewhere. */
     public void ensure(int need) {
         if (need > x.length) {

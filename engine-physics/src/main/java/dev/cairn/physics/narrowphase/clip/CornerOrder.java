@@ -25,7 +25,7 @@ public final class CornerOrder {
         int kept = 0;
         for (int i = 0; i < c.count; i++) {
             if (c.separation[i] <= margin) {
-                c.move(i, kept++);
+                move(c, i, kept++);
                 mx += c.x[i];
                 my += c.y[i];
                 mz += c.z[i];
@@ -69,7 +69,7 @@ public final class CornerOrder {
         int f = c.feature[i];
         int at = i;
         while (at > 0 && key[at - 1] > turn) {
-            c.move(at - 1, at);
+            move(c, at - 1, at);
             key[at] = key[at - 1];
             at--;
         }
@@ -79,5 +79,14 @@ public final class CornerOrder {
         c.separation[at] = s;
         c.feature[at] = f;
         key[at] = turn;
+    }
+
+    /** Copies a corner to another place. */
+    public static void move(Clipper c, int i, int to) {
+        c.x[to] = c.x[i];
+        c.y[to] = c.y[i];
+        c.z[to] = c.z[i];
+        c.separation[to] = c.separation[i];
+        c.feature[to] = c.feature[i];
     }
 }

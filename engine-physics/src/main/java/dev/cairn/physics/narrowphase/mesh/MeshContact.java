@@ -318,7 +318,7 @@ public final class MeshContact {
             }
             if (slot < end) {
                 below[kept] = below[i];
-                c.move(i, kept++);
+                CornerOrder.move(c, i, kept++);
             }
         }
         c.count = kept > 0 ? kept : c.count;

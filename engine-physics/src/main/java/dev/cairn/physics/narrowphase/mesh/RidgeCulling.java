@@ -1,5 +1,6 @@
 package dev.cairn.physics.narrowphase.mesh;
 
+import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.mesh.TriangleSet;
 
@@ -28,6 +29,12 @@ import java.util.Arrays;
  * points of the face. So a ridge is wholly calm if that holds for the normal leaned by {@link
  * #LEAN} away from it, too; else there may be such points, but no normal beside the face's.
  *
+ * <p>Where that does not tell, {@link RidgeArc} finds the normal. A ridge is not touched then if it
+ * leaves the shape apart, or if the shape is nearest to the ridge's line beyond a corner that is
+ * calm: one that has a face whose deepest point is before both of the face's edges there. For all
+ * normals m that the surface lets be at the corner are n cos a + (u t + v t') sin a with u, v not
+ * negative, so that the separation falls from n on as it does along the edges.
+ *
  * <p>Source: local maxima of the separation of convex sets on the sphere of directions, as in D.
  * Gregorius, "The Separating Axis Test between Convex Polyhedra" (GDC 2013), where edges are pruned
  * by their arcs. One worker's; grows when there are more ridges than ever.
@@ -45,9 +52,18 @@ final class RidgeCulling {
     /**
      * Numbers of a ridge: the normal of the face that saw it first, and of the angle between its
      * faces the tangent, what it is bounded by from the first face and from the other one, and with
-     * what is flat from either.
+     * what is flat from either; and how high above the nearer face it is met by what lies on it.
      */
-    private static final int TANGENT = 3, FIRST = 4, OTHER = 5, FLATS = 6, NUMBERS = 7;
+    private static final int TANGENT = 3, FIRST = 4, OTHER = 5, FLATS = 6, MET = 7, NUMBERS = 8;
+
+    /**
+     * Of the inner radius: how deep in a face or a ridge a shape is at most that lies on it. What
+     * is deeper may find its way out elsewhere.
+     */
+    static final double DEEP = 0.02;
+
+    /** In place of a height: at another normal than those of the faces, and not here. */
+    private static final double NEITHER = Double.NEGATIVE_INFINITY;
 
     /** Keys of ridges, 0 where there is none, in an open table of a power of two. */
     private long[] keys = new long[128];
@@ -55,8 +71,20 @@ final class RidgeCulling {
     private double[] number = new double[128 * NUMBERS];
     private int count;
 
+    private final Deepest deepest = new Deepest();
+    private final RidgeArc arc = new RidgeArc();
+
     /** A place of the shape, from its centre, mesh axes, m. */
     private double sx, sy, sz;
+
+    /** Of the edges of the triangle that was looked at last: what bounds the normals there. */
+    private final double[] bound = new double[3];
+
+    /** How high above a face its ridges are met by what lies on them; after {@link #own}. */
+    double met;
+
+    /** Over an edge: a unit vector in the triangle's plane. */
+    private double ox, oy, oz;
 
     void clear() {
         if (count > 0) {
@@ -98,34 +126,53 @@ final class RidgeCulling {
         double py = sy;
         double pz = sz;
         for (int e = 0; e < 3; e++) {
-            if ((edges >> e & 1) == 0) {
-                continue;
-            }
-            int a = 3 * e;
-            int b = e == 2 ? 0 : a + 3;
-            double ex = front * (c[b] - c[a]);
-            double ey = front * (c[b + 1] - c[a + 1]);
-            double ez = front * (c[b + 2] - c[a + 2]);
-            // t = e x n / |e|: over the edge, for corners that go round n counter-clockwise
-            double ox = ey * nz - ez * ny;
-            double oy = ez * nx - ex * nz;
-            double oz = ex * ny - ey * nx;
-            double f = 1 / Math.sqrt(ox * ox + oy * oy + oz * oz);
-            ox *= f;
-            oy *= f;
-            oz *= f;
+            over(c, e, nx, ny, nz, front);
             sx = px;
             sy = py;
             sz = pz;
-            double normals = slope(c, a, nx, ny, nz, ox, oy, oz, tolerance);
+            double normals = slope(c, 3 * e, nx, ny, nz, tolerance);
+            bound[e] = normals;
+            if ((edges >> e & 1) == 0) {
+                continue;
+            }
             double flats = 0;
             if (normals > 0) {
                 // -(n - LEAN t)
                 support(pair, LEAN * ox - nx, LEAN * oy - ny, LEAN * oz - nz);
-                flats = slope(c, a, nx, ny, nz, ox, oy, oz, tolerance);
+                flats = slope(c, 3 * e, nx, ny, nz, tolerance);
             }
             add(key(set, t, e), nx, ny, nz, normals, flats);
         }
+        for (int e = 0; e < 3; e++) {
+            if (Math.min(bound[e], bound[e == 0 ? 2 : e - 1]) > STEEP) {
+                add(corner(set.vertex(t, e)));
+            }
+        }
+    }
+
+    /** Into o: over the edge from corner e to the next. */
+    private void over(double[] c, int e, double nx, double ny, double nz, double front) {
+        int a = 3 * e;
+        int b = e == 2 ? 0 : a + 3;
+        double ex = front * (c[b] - c[a]);
+        double ey = front * (c[b + 1] - c[a + 1]);
+        double ez = front * (c[b + 2] - c[a + 2]);
+        // e x n / |e|, for corners that go round n counter-clockwise
+        ox = ey * nz - ez * ny;
+        oy = ez * nx - ex * nz;
+        oz = ex * ny - ey * nx;
+        double f = 1 / Math.sqrt(ox * ox + oy * oy + oz * oz);
+        ox *= f;
+        oy *= f;
+        oz *= f;
+    }
+
+    /** Puts the point of the shape that is farthest in a direction into s. */
+    private void support(Pair pair, double ux, double uy, double uz) {
+        deepest.find(pair, ux, uy, uz);
+        sx = deepest.x;
+        sy = deepest.y;
+        sz = deepest.z;
     }
 
     /** Which ridges of a triangle are not known to be calm. */
@@ -140,57 +187,120 @@ final class RidgeCulling {
         return left;
     }
 
-    /** Which ridges of a triangle may be touched along a normal between those of their faces. */
-    int between(TriangleSet set, int t, int edges) {
+    /**
+     * Which ridges of a triangle may be touched along a normal between those of their faces.
+     *
+     * @param c as for {@link #look}
+     */
+    int between(
+            TriangleSet set,
+            int t,
+            int edges,
+            double[] c,
+            double nx,
+            double ny,
+            double nz,
+            double front,
+            Pair pair,
+            Margin margin,
+            double tolerance) {
         int left = edges;
         for (int e = 0; e < 3; e++) {
             if ((edges >> e & 1) != 0) {
                 int at = NUMBERS * slot(key(set, t, e));
                 double most = Math.max(number[at + FIRST], number[at + OTHER]);
-                left &= most > number[at + TANGENT] ? ~(1 << e) : -1;
+                if (most > number[at + TANGENT]
+                        || !isMet(set, t, e, at, c, nx, ny, nz, front, pair, margin, tolerance)) {
+                    left &= ~(1 << e);
+                }
             }
         }
         return left;
+    }
+
+    /** Whether a ridge that slopes do not tell of may be met; if not, this is noted. */
+    private boolean isMet(
+            TriangleSet set,
+            int t,
+            int e,
+            int at,
+            double[] c,
+            double nx,
+            double ny,
+            double nz,
+            double front,
+            Pair pair,
+            Margin margin,
+            double tolerance) {
+        if (pair.roundA && !pair.solidA.isThin()) {
+            return true; // its rims have no corners to step over
+        }
+        over(c, e, nx, ny, nz, front);
+        int next = e == 2 ? 0 : e + 1;
+        int begin = front > 0 ? e : next;
+        int end = front > 0 ? next : e;
+        arc.ridge(c, 3 * begin, nx, ny, nz, ox, oy, oz);
+        double tangent = number[at + TANGENT];
+        if (!arc.find(pair, tangent) || arc.separation - pair.radiusA < -DEEP * pair.inner) {
+            return true;
+        }
+        double mx = arc.cosine * nx + arc.sine * ox;
+        double my = arc.cosine * ny + arc.sine * oy;
+        double mz = arc.cosine * nz + arc.sine * oz;
+        double dx = c[3 * end] - c[3 * begin];
+        double dy = c[3 * end + 1] - c[3 * begin + 1];
+        double dz = c[3 * end + 2] - c[3 * begin + 2];
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        boolean isApart = arc.separation - pair.radiusA > margin.along(mx, my, mz);
+        boolean isBefore = arc.to < -tolerance && isCalm(corner(set.vertex(t, begin)));
+        boolean isBehind = arc.from > length + tolerance && isCalm(corner(set.vertex(t, end)));
+        double last = 1 / Math.sqrt(1 + tangent * tangent);
+        double other = arc.cosine * last + arc.sine * tangent * last;
+        boolean isOwn = arc.cosine > other;
+        double near = Math.max(arc.cosine, other);
+        if (isApart || isBefore || isBehind) {
+            number[at + MET] = NEITHER;
+        } else if (pair.roundA
+                || near < ContactTolerances.NEARLY_PARALLEL
+                || !(isOwn || tangent < STEEP)) {
+            return true;
+        } else {
+            number[at + MET] = arc.separation / near;
+        }
+        boolean isFirst = isFirst(at, nx, ny, nz);
+        number[at + (isFirst == isOwn ? FIRST : OTHER)] = Double.MAX_VALUE;
+        return false;
+    }
+
+    private boolean isFirst(int at, double nx, double ny, double nz) {
+        return nx == number[at] && ny == number[at + 1] && nz == number[at + 2];
     }
 
     /**
      * At which ridges of a triangle its normal separates more than that of the other face.
      *
      * @param edges none of {@link #between}
-     * @return 0 if at one of them the other face, at a larger angle than flats may have, does
+     * @return 0 if at one of them the other face, at a larger angle than flats may have, does; -1
+     *     if another one is met nevertheless
      */
     int own(TriangleSet set, int t, int edges, double nx, double ny, double nz) {
         int own = 0;
+        boolean leans = false;
+        met = Double.MAX_VALUE;
         for (int e = 0; e < 3; e++) {
             if ((edges >> e & 1) != 0) {
                 int at = NUMBERS * slot(key(set, t, e));
                 double[] n = number;
-                boolean isFirst = nx == n[at] && ny == n[at + 1] && nz == n[at + 2];
-                if (n[at + (isFirst ? FIRST : OTHER)] > n[at + TANGENT]) {
+                if (n[at + MET] != NEITHER
+                        && n[at + (isFirst(at, nx, ny, nz) ? FIRST : OTHER)] > n[at + TANGENT]) {
                     own |= 1 << e;
-                } else if (n[at + TANGENT] > LEAN) {
-                    return 0;
+                    met = Math.min(met, n[at + MET]);
+                } else {
+                    leans |= n[at + TANGENT] > LEAN;
                 }
             }
         }
-        return own;
-    }
-
-    /** Puts the point of the shape that is farthest in a direction into s. */
-    private void support(Pair p, double ux, double uy, double uz) {
-        p.solidA.restart();
-        int v =
-                p.supportA(
-                        p.w00 * ux + p.w10 * uy + p.w20 * uz,
-                        p.w01 * ux + p.w11 * uy + p.w21 * uz,
-                        p.w02 * ux + p.w12 * uy + p.w22 * uz,
-                        0);
-        double x = p.vertexAX(v);
-        double y = p.vertexAY(v);
-        double z = p.vertexAZ(v);
-        sx = p.w00 * x + p.w01 * y + p.w02 * z;
-        sy = p.w10 * x + p.w11 * y + p.w12 * z;
-        sz = p.w20 * x + p.w21 * y + p.w22 * z;
+        return !leans ? own : met < Double.MAX_VALUE ? -1 : 0;
     }
 
     /**
@@ -203,16 +313,7 @@ final class RidgeCulling {
      *
      * @return 0 if it does not fall
      */
-    private double slope(
-            double[] c,
-            int a,
-            double nx,
-            double ny,
-            double nz,
-            double ox,
-            double oy,
-            double oz,
-            double tolerance) {
+    private double slope(double[] c, int a, double nx, double ny, double nz, double tolerance) {
         double x = sx - c[a];
         double y = sy - c[a + 1];
         double z = sz - c[a + 2];
@@ -228,6 +329,16 @@ final class RidgeCulling {
         return (long) Math.max(a, b) << 32 | Math.min(a, b);
     }
 
+    /** A corner by the number of its vertex. */
+    private static long corner(int vertex) {
+        return (vertex + 1L) << 32 | (vertex + 1L);
+    }
+
+    /** Whether a corner is one that was added. */
+    private boolean isCalm(long corner) {
+        return keys[slot(corner)] == corner;
+    }
+
     private int slot(long key) {
         int mask = keys.length - 1;
         int at = (int) ((key * 0x9E3779B97F4A7C15L) >>> 40) & mask;
@@ -235,6 +346,18 @@ final class RidgeCulling {
             at = (at + 1) & mask;
         }
         return at;
+    }
+
+    /** A corner that can't be touched. */
+    private void add(long corner) {
+        if (2 * count >= keys.length) {
+            grow();
+        }
+        int slot = slot(corner);
+        if (keys[slot] != corner) {
+            keys[slot] = corner;
+            count++;
+        }
     }
 
     /** A ridge seen from one face; seen from the other one, too, its angle is known. */
@@ -255,6 +378,7 @@ final class RidgeCulling {
             n[at + FIRST] = normals;
             n[at + OTHER] = 0;
             n[at + FLATS] = flats;
+            n[at + MET] = Double.MAX_VALUE;
             return;
         }
         double cosine = n[at] * nx + n[at + 1] * ny + n[at + 2] * nz;

@@ -141,20 +141,24 @@ final class RimSearch {
         if ((open | others) == 0) {
             return;
         }
-        boolean oneNormal = open == 0 && calm.between(set, t, ridges) == 0;
-        if (oneNormal && (others & calm.own(set, t, ridges, nx, ny, nz)) == 0) {
+        if (gap.isApart(corner, nx, ny, nz, pair, margin)) {
             return;
         }
-        if (gap.isApart(corner, nx, ny, nz, pair, margin)) {
+        boolean oneNormal =
+                open == 0
+                        && calm.between(
+                                        set, t, ridges, corner, nx, ny, nz, front, pair, margin,
+                                        tolerance)
+                                == 0;
+        int own = oneNormal ? calm.own(set, t, ridges, nx, ny, nz) : -1;
+        if ((own & (open | others)) == 0) {
             return;
         }
         double gx = (corner[0] + corner[3] + corner[6]) / 3;
         double gy = (corner[1] + corner[4] + corner[7]) / 3;
         double gz = (corner[2] + corner[5] + corner[8]) / 3;
         flat.setTriangle(corner, gx, gy, gz);
-        if (oneNormal) {
-            lies(t, faces.groupOf(i), gx, gy, gz);
-        } else {
+        if (own < 0 || !lies(t, faces.groupOf(i), own & others, gx, gy, gz)) {
             standsOut(t, faces.groupOf(i), gx, gy, gz);
         }
     }
@@ -164,9 +168,36 @@ final class RimSearch {
         return flags / (front > 0 ? TriangleSet.CONVEX : TriangleSet.HOLLOW) & TriangleSet.ALL;
     }
 
-    /** Points of the triangle's edges and corners on which a flat of the shape lies. */
-    private void lies(int t, int group, double gx, double gy, double gz) {
-        Clipper c = rims.cut(view, front, shape, qx, qy, qz, qw, gx, gy, gz, nx, ny, nz, margin.along(nx, ny, nz));
+    /**
+     * Points of some of the triangle's edges on which a flat of the shape lies.
+     *
+     * @return false if they are not as deep as these are known to be met, or deeper than what lies
+     *     on a face is in it
+     */
+    private boolean lies(int t, int group, int edges, double gx, double gy, double gz) {
+        Clipper c =
+                rims.cut(
+                        view,
+                        front,
+                        shape,
+                        qx,
+                        qy,
+                        qz,
+                        qw,
+                        gx,
+                        gy,
+                        gz,
+                        nx,
+                        ny,
+                        nz,
+                        margin.along(nx, ny, nz));
+        double least = Double.MAX_VALUE;
+        for (int i = 0; i < c.count; i++) {
+            least = Math.min(least, c.separation[i]);
+        }
+        if (least > calm.met + tolerance || least < -RidgeCulling.DEEP * pair.inner) {
+            return false;
+        }
         for (int i = 0; i < c.count; i++) {
             int name = TriangleFeatures.shared(set, t, c.feature[i]);
             int kind = name & FeatureIds.CLOSEST;
@@ -180,10 +211,11 @@ final class RimSearch {
             double px = x - s * nx;
             double py = y - s * ny;
             double pz = z - s * nz;
-            if (isOut(t, px, py, pz) && allows(px, py, pz, nx, ny, nz)) {
+            if ((on(px, py, pz) & edges) != 0 && allows(px, py, pz, nx, ny, nz)) {
                 loose.add(group, t, name, x, y, z, s);
             }
         }
+        return true;
     }
 
     /** Points of the triangle's edges and corners where the surface lets their normal be. */
@@ -269,14 +301,17 @@ final class RimSearch {
         }
     }
 
+    private int on(double px, double py, double pz) {
+        return TriangleSides.on(corner, front * nx, front * ny, front * nz, px, py, pz, tolerance);
+    }
+
     private boolean allows(double px, double py, double pz, double x, double y, double z) {
         return cone.allows(set, found, px, py, pz, x, y, z, cx, cy, cz, tolerance);
     }
 
     /** Whether a place of the triangle is on an edge or at a corner that stands out. */
     private boolean isOut(int t, double px, double py, double pz) {
-        int on =
-                TriangleSides.on(corner, front * nx, front * ny, front * nz, px, py, pz, tolerance);
+        int on = on(px, py, pz);
         int edges = ridges() | ((flags / TriangleSet.OPEN) & TriangleSet.ALL);
         if ((on & edges) != 0) {
             return true;

@@ -9,6 +9,7 @@
  * <pre>
  *   triangles in the body's box ─▶ faces: planes whose triangles the body's points are over    ({@link dev.cairn.physics.narrowphase.mesh.FaceRegions})
  *                               ─▶ ridges that can't be touched, by a support point each       ({@link dev.cairn.physics.narrowphase.mesh.RidgeCulling})
+ *                               ─▶ of others the best normal, in closed form                   ({@link dev.cairn.physics.narrowphase.mesh.RidgeArc})
  *                               ─▶ flats over ridges of a face that separates most: cut        ({@link dev.cairn.physics.narrowphase.mesh.RimPoints})
  *                               ─▶ other edges and corners: the general way of two hulls,      ({@link dev.cairn.physics.narrowphase.mesh.RimSearch})
  *                                  kept if the normal is in the cone of the surface there      ({@link dev.cairn.physics.narrowphase.mesh.NormalCone})
