@@ -78,23 +78,40 @@ public final class Rotation {
         if (!(square > 0)) {
             return;
         }
-        double k;
-        double dw;
+        double k = halfSine(square);
+        turn(bodies, i, x * k, y * k, z * k, halfCosine(square));
+    }
+
+    /**
+     * Of the quaternion of a turn by an angle a: {@code sin(a/2)/a}.
+     *
+     * @param square {@code a²/4}
+     */
+    public static double halfSine(double square) {
         if (square <= TINY) {
-            // sin x / x and cos x, x = sqrt(square): the next terms are below 1e-23
-            k = 0.5 - square * (1 / 12.0 - square * (1 / 240.0 - square * (1 / 10080.0)));
-            dw = 1 - square * (0.5 - square * (1 / 24.0 - square * (1 / 720.0)));
-        } else if (square <= SMALL * SMALL) {
-            k = 0.5 + 0.5 * square * sinSeries(square);
-            dw = 1 + square * cosSeries(square);
-        } else {
-            double half = Math.sqrt(square);
-            k = 0.5 * sin(half) / half;
-            dw = cos(half);
+            // sin x / x, x = sqrt(square): the next term is below 1e-23
+            return 0.5 - square * (1 / 12.0 - square * (1 / 240.0 - square * (1 / 10080.0)));
         }
-        double dx = x * k;
-        double dy = y * k;
-        double dz = z * k;
+        if (square <= SMALL * SMALL) {
+            return 0.5 + 0.5 * square * sinSeries(square);
+        }
+        double half = Math.sqrt(square);
+        return 0.5 * sin(half) / half;
+    }
+
+    /** The same: {@code cos(a/2)}. */
+    public static double halfCosine(double square) {
+        if (square <= TINY) {
+            return 1 - square * (0.5 - square * (1 / 24.0 - square * (1 / 720.0)));
+        }
+        return square <= SMALL * SMALL
+                ? 1 + square * cosSeries(square)
+                : cos(Math.sqrt(square));
+    }
+
+    /** Turns the orientation of body {@code i} by the quaternion of a turn, w last. */
+    public static void turn(
+            BodyStore bodies, int i, double dx, double dy, double dz, double dw) {
         double qx = bodies.orientationX[i];
         double qy = bodies.orientationY[i];
         double qz = bodies.orientationZ[i];

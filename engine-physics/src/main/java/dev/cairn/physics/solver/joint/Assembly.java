@@ -301,7 +301,7 @@ public final class Assembly {
                         ? ConjugateGradients.none()
                         : new ConjugateGradients(body.length, end, firstRow, arms);
         boolean isNetlike = isPoints && (!hasFactors || order.isFilled);
-        net = new PointNet(isNetlike, body.length, end, arms, axes);
+        net = new PointNet(isNetlike, body, end, arms, axes);
         system = hasFactors ? factors : gradients;
         derivative = new double[JointMath.JACOBIAN * n];
         arm = new double[3 * joint.length];

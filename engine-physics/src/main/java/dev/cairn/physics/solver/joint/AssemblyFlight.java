@@ -58,15 +58,16 @@ public final class AssemblyFlight {
             if (!solve.flows()) {
                 s.energy = JointEnergy.kinetic(tick, s) + JointEnergy.potential(tick, s);
             }
-            boolean isLast = k == sub.count * parts - 1;
             if (isFine) {
                 step(tick, s, OUTER * h, false);
                 step(tick, s, OUTER * h, false);
                 step(tick, s, (1 - 4 * OUTER) * h, false);
                 step(tick, s, OUTER * h, false);
                 step(tick, s, OUTER * h, false);
+            } else if (s.isNet) {
+                solve.step(h, k == sub.count * parts - 1);
             } else {
-                step(tick, s, h, false, isLast);
+                step(tick, s, h, false);
             }
             if (s.keeps && !solve.flows()) {
                 energy.settle(tick, s, false);
@@ -180,10 +181,6 @@ public final class AssemblyFlight {
     }
 
     private void step(SolverContext tick, Assembly s, double h, boolean isStruck) {
-        step(tick, s, h, isStruck, true);
-    }
-
-    private void step(SolverContext tick, Assembly s, double h, boolean isStruck, boolean isLast) {
         double[] g = tick.gravity;
         for (int i : s.body) {
             Motion.kick(tick.bodies, tick.body, i, g[0], g[1], g[2], h);
@@ -193,10 +190,6 @@ public final class AssemblyFlight {
         solve.position(h, true);
         for (int i : s.body) {
             JointSolve.renew(tick, i);
-        }
-        solve.flow(isLast);
-        if (solve.flows()) {
-            return;
         }
         solve.beginVelocity(!s.isDirect, true);
         solve.velocity(h, true, isStruck);

@@ -148,11 +148,9 @@ public final class JointSolve extends PositionTrial {
         s.isFresh = false;
     }
 
-    /** The position half of a step of what touches nothing ends; see {@link NetSolve#flow}. */
-    void flow(boolean isLast) {
-        if (s.isNet) {
-            nets.flow(isLast);
-        }
+    /** A whole step of a net that touches nothing. */
+    void step(double seconds, boolean isLast) {
+        nets.step(seconds, isLast);
     }
 
     /** Whether the step before this one was left without its velocity half. */
@@ -204,10 +202,6 @@ public final class JointSolve extends PositionTrial {
      * @param scale of the impulses that were kept; 0 for none
      */
     void start(double scale) {
-        if (s.isNet) {
-            nets.warm(1, GAIN);
-            return;
-        }
         s.calm();
         derive();
         double most = GAIN * kinetic();
@@ -233,15 +227,6 @@ public final class JointSolve extends PositionTrial {
     }
 
     @Override
-    void velocity(double seconds, boolean counts, boolean isStruck) {
-        if (s.isNet) {
-            nets.velocity(seconds, counts);
-        } else {
-            super.velocity(seconds, counts, isStruck);
-        }
-    }
-
-    @Override
     public void velocity(SubStep sub, boolean counts, ConstraintRows rows) {
         if (s.isNet) {
             nets.velocity(sub.seconds, counts);
@@ -259,7 +244,7 @@ public final class JointSolve extends PositionTrial {
     public void position(double seconds, boolean stay) {
         h = seconds;
         if (s.isNet) {
-            nets.position(seconds, stay, GAIN);
+            nets.position(seconds, GAIN);
             return;
         }
         changes = 0;

@@ -1,11 +1,10 @@
 package dev.cairn.physics.solver.joint;
 
-import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.JointStore;
-import dev.cairn.physics.solver.body.Motion;
 import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
+import dev.cairn.physics.solver.joint.net.NetBodies;
 import dev.cairn.physics.solver.joint.net.PointNet;
 
 import java.util.Arrays;
@@ -56,6 +55,12 @@ final class NetSolve {
     /** Halves of a step that the impulses in work are those of. */
     private double halves = 1;
 
+    /**
+     * Whether a tick of what touches nothing is under way: impulses that are kept are in the axes
+     * of the world, and arms and gaps go with the bodies.
+     */
+    private boolean flies;
+
     /** Whether the last step was left without its velocity half. */
     private boolean flows;
 
@@ -73,6 +78,7 @@ final class NetSolve {
         net = assembly.net;
         push = pushSpeed;
         halves = 1;
+        flies = false;
         flows = false;
     }
 
@@ -94,11 +100,7 @@ final class NetSolve {
             return false;
         }
         s.size = size;
-        for (int n = 0; n < s.body.length; n++) {
-            double root = tick.body.root[(s.body[n] + 1) * SolverBodies.ROOT];
-            net.mass[n] = tick.body.state[SolverBodies.offset(s.body[n]) + SolverBodies.MASS];
-            net.spin[n] = root * root;
-        }
+        net.bodies.begin(tick);
         for (int p = 0; p < net.joint.length; p++) {
             look(p);
         }
@@ -132,20 +134,22 @@ final class NetSolve {
 
     /** Whether the last sub-step has left a joint farther open than factors would. */
     boolean isOpen() {
-        return !(widest() <= OPEN * s.size);
-    }
-
-    private double widest() {
         double worst = 0;
         for (double gap : net.gap) {
             worst = Math.max(worst, Math.abs(gap));
         }
-        return worst;
+        return !(worst <= OPEN * s.size);
     }
 
     /** Gives the impulses back to the rows. */
     void end() {
         s.judge(isOpen());
+        if (flies) {
+            net.derive(tick);
+            net.inward(net.before, net.before);
+            net.inward(net.after, net.after);
+            flies = false;
+        }
         for (int p = 0; p < net.joint.length; p++) {
             int row = store.firstRow[s.joint[net.joint[p]]];
             net.give(net.before, p, store.before, row);
@@ -153,176 +157,99 @@ final class NetSolve {
         }
     }
 
-    /** The impulses of the last sub-step, unless they add too much energy. */
-    void warm(double scale, double gain) {
-        derive();
-        halves = flows ? 2 : 1;
-        start(net.before, halves * scale, gain);
-    }
+    // What touches nothing -------------------------------------------------------------------------
 
     /**
-     * The position half of a step of what touches nothing ends. What its velocity half would take
-     * from the velocities the position half of the next step takes, too, as both push along {@code
-     * J(x')^T}: all positions are the same without it (RATTLE's are SHAKE's). So it is left out
-     * where velocities are not seen, but in nets that whip, which two halves keep closer together,
-     * and in those that are compared with factors.
+     * A step of what touches nothing.
+     *
+     * <p>What its velocity half would take from the velocities the position half of the next step
+     * takes, too, as both push along {@code J(x')^T}: all positions are the same without it
+     * (RATTLE's are SHAKE's). So it is left out where velocities are not seen, but in nets that
+     * whip, which two halves keep closer together, and in those that are compared with factors.
      */
-    void flow(boolean isLast) {
-        flows = false;
-        if (!isLast && !s.hasFactors) {
-            s.isFresh = false;
-            derive();
-            flows = widest() <= OPEN * s.size;
+    void step(double h, boolean isLast) {
+        NetBodies bodies = net.bodies;
+        takeOff();
+        if (!flows) {
+            bodies.take(tick);
         }
+        bodies.kick(h);
+        halves = flows ? 2 : 1;
+        begin(net.before, halves, JointWork.GAIN);
+        solvePosition(h, JointWork.GAIN);
+        multiply(net.impulse, 1 / halves, net.before);
+        if (isLast) {
+            react(1 / (halves * h), false);
+        }
+        bodies.move(tick);
+        double worst = net.follow();
+        net.follow(net.before);
+        s.isFactored = false;
+        flows = !isLast && !s.hasFactors && worst <= OPEN * s.size;
+        if (flows) {
+            return;
+        }
+        if (halves == 1) {
+            net.follow(net.after);
+        }
+        double gain = s.keeps ? JointWork.GAIN : Double.POSITIVE_INFINITY;
+        begin(halves > 1 ? net.before : net.after, 1, gain);
+        solveVelocity(h);
+        multiply(net.impulse, 1, net.after);
+        if (isLast) {
+            react(1 / h, true);
+        }
+        bodies.give(tick);
     }
 
+    /** Whether the last step was left without its velocity half. */
     boolean flows() {
         return flows;
     }
 
-    private void start(double[] first, double scale, double gain) {
-        double most = gain * kinetic();
-        net.warmStart(first, scale);
-        net.apply(net.impulse);
-        add(net.linear, net.angular, 1);
-        if (!(kinetic() <= most)) {
-            release();
-        }
-    }
-
-    private void release() {
-        net.apply(net.impulse);
-        add(net.linear, net.angular, -1);
-        Arrays.fill(net.impulse, 0.0);
-    }
-
-    private double kinetic() {
-        return JointEnergy.kinetic(tick, s);
-    }
-
-    /** Adds changes of velocity. It is no part of the warm start. */
-    private void add(double[] linear, double[] angular, double sign) {
-        double[] v = tick.body.state;
-        double[] mark = tick.body.mark;
-        for (int n = 0; n < s.body.length; n++) {
-            int o = SolverBodies.offset(s.body[n]);
-            int w = (s.body[n] + 1) * SolverBodies.HALF;
-            double root = tick.body.root[(s.body[n] + 1) * SolverBodies.ROOT];
-            double inverse = root > 0 ? sign / root : 0;
-            for (int c = 0; c < 3; c++) {
-                double x = sign * linear[3 * n + c];
-                double t = inverse * angular[3 * n + c];
-                v[o + c] += x;
-                mark[w + c] += x;
-                v[o + 3 + c] += t;
-                mark[w + 3 + c] += t;
-            }
-        }
-    }
-
-    /** Arms and gaps in the poses of now. */
-    private void derive() {
-        if (s.isFresh) {
+    private void takeOff() {
+        if (flies) {
             return;
         }
-        where();
-        net.derive(tick.bodies, s.body);
-        s.isFresh = true;
-        s.isFactored = false;
-    }
-
-    /** Where the bodies are now. */
-    private void where() {
-        for (int n = 0; n < s.body.length; n++) {
-            int p = SolverBodies.offset(s.body[n]) + SolverBodies.P;
-            System.arraycopy(tick.body.state, p, net.linear, 3 * n, 3);
-        }
-        Arrays.fill(net.linear, 3 * net.bodies, 3 * net.bodies + 3, 0.0);
-    }
-
-    private void factor(double slack) {
-        net.factor(slack, s.isFactored);
-        s.isFactored = true;
-    }
-
-    /** One round of Newton's method; moves the bodies if they are to stay. */
-    void position(double h, boolean stay, double gain) {
+        flies = true;
         derive();
-        double most = gain * kinetic();
-        keep();
-        move(h);
-        where();
-        net.look(tick.bodies, s.body);
-        restore();
-        double worst = 0;
-        double tiny = HoldingRows.tiny(false);
-        for (int r = 0; r < net.missing.length; r++) {
-            double gap = net.gap[r];
-            double miss = net.missing[r] - (Math.abs(gap) > tiny ? gap : 0);
-            worst = Math.max(worst, Math.abs(miss));
-            net.missing[r] = -miss / h;
-        }
-        if (!(worst <= CLOSED * s.size)) {
-            correct();
-            if (!(kinetic() <= most)) {
-                release();
-            }
-        }
-        if (stay) {
-            move(h);
-        }
-        net.keep(net.before, 1 / halves);
-        for (int p = 0; p < net.joint.length; p++) {
-            int at = 6 * s.joint[net.joint[p]];
-            for (int c = 0; c < 3; c++) {
-                store.reaction[at + c] = net.impulse[3 * p + c] / (halves * h);
-                store.reaction[at + 3 + c] = 0;
-            }
-        }
-    }
-
-    private void correct() {
-        factor(SLACK);
-        net.solve();
-        for (int r = 0; r < net.impulse.length; r++) {
-            net.impulse[r] += net.solution[r];
-        }
-        add(net.linearSum, net.angularSum, 1);
-    }
-
-    private void move(double h) {
-        double[] g = tick.gravity;
+        net.outward(net.before, net.before, 1);
+        net.outward(net.after, net.after, 1);
         for (int i : s.body) {
-            Motion.drift(tick.bodies, tick.body, i, g[0], g[1], g[2], h);
+            tick.body.state[SolverBodies.offset(i) + SolverBodies.LOADED] = 0;
         }
     }
 
-    private void keep() {
-        BodyStore b = tick.bodies;
-        for (int n = 0; n < s.body.length; n++) {
-            int i = s.body[n];
-            int at = 10 * n;
-            System.arraycopy(
-                    tick.body.state, SolverBodies.offset(i) + SolverBodies.P, net.kept, at, 6);
-            net.kept[at + 6] = b.orientationX[i];
-            net.kept[at + 7] = b.orientationY[i];
-            net.kept[at + 8] = b.orientationZ[i];
-            net.kept[at + 9] = b.orientationW[i];
+    private void begin(double[] first, double scale, double gain) {
+        multiply(first, scale, net.impulse);
+        start(gain);
+    }
+
+    private static void multiply(double[] from, double factor, double[] into) {
+        for (int r = 0; r < into.length; r++) {
+            into[r] = factor * from[r];
         }
     }
 
-    private void restore() {
-        BodyStore b = tick.bodies;
-        for (int n = 0; n < s.body.length; n++) {
-            int i = s.body[n];
-            int at = 10 * n;
-            System.arraycopy(
-                    net.kept, at, tick.body.state, SolverBodies.offset(i) + SolverBodies.P, 6);
-            b.orientationX[i] = net.kept[at + 6];
-            b.orientationY[i] = net.kept[at + 7];
-            b.orientationZ[i] = net.kept[at + 8];
-            b.orientationW[i] = net.kept[at + 9];
-        }
+    // With contacts --------------------------------------------------------------------------------
+
+    /** The impulses of the last sub-step, unless they add too much energy. */
+    void warm(double scale, double gain) {
+        derive();
+        net.bodies.take(tick);
+        net.outward(net.before, net.impulse, scale);
+        start(gain);
+        net.bodies.give(tick);
+    }
+
+    /** The position half; others move the bodies. */
+    void position(double h, double gain) {
+        derive();
+        net.bodies.take(tick);
+        solvePosition(h, gain);
+        net.bodies.give(tick);
+        net.inward(net.impulse, net.before);
+        react(1 / h, false);
     }
 
     /**
@@ -334,43 +261,96 @@ final class NetSolve {
         s.isFresh = false;
         derive();
         if (isWarm) {
-            start(halves > 1 ? net.before : net.after, 1, gain);
+            net.bodies.take(tick);
+            net.outward(net.after, net.impulse, 1);
+            start(gain);
+            net.bodies.give(tick);
         } else {
             Arrays.fill(net.impulse, 0.0);
         }
     }
 
-    /** Takes from the velocities what the joints do not allow. */
+    /** The velocity half. */
     void velocity(double h, boolean counts) {
-        close(h);
-        double[] v = tick.body.state;
-        for (int n = 0; n < s.body.length; n++) {
-            int o = SolverBodies.offset(s.body[n]);
-            double root = tick.body.root[(s.body[n] + 1) * SolverBodies.ROOT];
-            for (int c = 0; c < 3; c++) {
-                net.linear[3 * n + c] = v[o + c];
-                net.angular[3 * n + c] = root * v[o + 3 + c];
+        net.bodies.take(tick);
+        solveVelocity(h);
+        net.bodies.give(tick);
+        if (counts) {
+            net.inward(net.impulse, net.after);
+            react(1 / h, true);
+        }
+    }
+
+    // Both -----------------------------------------------------------------------------------------
+
+    /** Begins with the impulses in work, unless they add too much energy. */
+    private void start(double gain) {
+        double most = gain * net.bodies.kinetic();
+        net.apply(net.impulse);
+        net.bodies.add(net.bodies.change, 1);
+        if (!(net.bodies.kinetic() <= most)) {
+            release();
+        }
+    }
+
+    private void release() {
+        net.apply(net.impulse);
+        net.bodies.add(net.bodies.change, -1);
+        Arrays.fill(net.impulse, 0.0);
+    }
+
+    /** Arms and gaps in the poses of now. */
+    private void derive() {
+        if (!s.isFresh) {
+            net.derive(tick);
+            s.isFresh = true;
+            s.isFactored = false;
+        }
+    }
+
+    private void solve(double slack) {
+        net.solve(slack, s.isFactored);
+        s.isFactored = true;
+    }
+
+    private void correct() {
+        solve(SLACK);
+        for (int r = 0; r < net.impulse.length; r++) {
+            net.impulse[r] += net.solution[r];
+        }
+        net.bodies.add(net.bodies.sum, 1);
+    }
+
+    /** One round of Newton's method; how bodies will move then is foreseen. */
+    private void solvePosition(double h, double gain) {
+        double most = gain * net.bodies.kinetic();
+        net.bodies.foresee(tick, h);
+        double worst = net.foresee(h, HoldingRows.tiny(false));
+        if (!(worst <= CLOSED * s.size)) {
+            correct();
+            if (!(net.bodies.kinetic() <= most)) {
+                release();
             }
+            net.bodies.foresee(tick, h);
         }
-        Arrays.fill(net.linear, 3 * net.bodies, 3 * net.bodies + 3, 0.0);
-        Arrays.fill(net.angular, 3 * net.bodies, 3 * net.bodies + 3, 0.0);
-        net.speeds(net.missing);
-        double worst = 0;
-        for (int r = 0; r < net.missing.length; r++) {
-            worst = Math.max(worst, Math.abs(net.missing[r]));
-            net.missing[r] = -net.missing[r];
-        }
-        if (!(worst * Math.abs(h) <= CLOSED * s.size)) {
+    }
+
+    /** Takes from the velocities what the joints do not allow. */
+    private void solveVelocity(double h) {
+        close(h);
+        if (!(net.speeds() * Math.abs(h) <= CLOSED * s.size)) {
             correct();
         }
-        if (!counts) {
-            return;
-        }
-        net.keep(net.after, 1);
+    }
+
+    /** Forces that joints were seen to bear. */
+    private void react(double scale, boolean adds) {
         for (int p = 0; p < net.joint.length; p++) {
             int at = 6 * s.joint[net.joint[p]];
             for (int c = 0; c < 3; c++) {
-                store.reaction[at + c] += net.impulse[3 * p + c] / h;
+                double first = adds ? store.reaction[at + c] : 0;
+                store.reaction[at + c] = first + scale * net.impulse[3 * p + c];
+                store.reaction[at + 3 + c] = 0;
             }
         }
     }
@@ -388,40 +368,42 @@ final class NetSolve {
             return;
         }
         if (!s.isGrounded) {
+            net.bodies.give(tick);
             inner.note(tick, s);
         }
-        factor(AssemblyEquations.SOFT);
-        net.solve();
+        solve(AssemblyEquations.SOFT);
         shift(reach);
         s.isFresh = false;
         derive();
         if (!s.isGrounded) {
             inner.giveBack(tick, s);
+            net.bodies.take(tick);
         }
     }
 
     private void shift(double reach) {
         double part = 1;
-        double[] x = net.linearSum;
-        double[] t = net.angularSum;
+        double[] x = net.bodies.sum;
         double turn = JointSolve.TURN_BACK / push * reach;
         for (int n = 0; n < s.body.length; n++) {
-            double way = SolverBodies.norm(x[3 * n], x[3 * n + 1], x[3 * n + 2]);
-            double angle = SolverBodies.norm(t[3 * n], t[3 * n + 1], t[3 * n + 2]);
+            int at = NetBodies.STRIDE * n;
+            double way = SolverBodies.norm(x[at], x[at + 1], x[at + 2]);
+            double angle = SolverBodies.norm(x[at + 3], x[at + 4], x[at + 5]);
             part = PositionCorrection.cut(part, way, reach);
             part = PositionCorrection.cut(part, angle, turn);
         }
         double[] v = tick.body.state;
         for (int n = 0; n < s.body.length; n++) {
             int i = s.body[n];
+            int at = NetBodies.STRIDE * n;
             int p = SolverBodies.offset(i) + SolverBodies.P;
             double root = tick.body.root[(i + 1) * SolverBodies.ROOT];
             for (int c = 0; c < 3; c++) {
-                v[p + c] += part * x[3 * n + c];
-                v[p + 3 + c] += root > 0 ? part * t[3 * n + c] / root : 0;
+                v[p + c] += part * x[at + c];
+                v[p + 3 + c] += root > 0 ? part * x[at + 3 + c] / root : 0;
             }
             Rotation.turn(
-                    tick.bodies, i, part * t[3 * n], part * t[3 * n + 1], part * t[3 * n + 2]);
+                    tick.bodies, i, part * x[at + 3], part * x[at + 4], part * x[at + 5]);
         }
     }
 }

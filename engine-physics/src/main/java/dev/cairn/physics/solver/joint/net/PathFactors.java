@@ -26,21 +26,28 @@ final class PathFactors {
         inverse = new double[6 * begins.length];
     }
 
-    /** Inverts what the joints of each path do to each other. */
+    /**
+     * Inverts what the joints of each path do to each other, and sweeps what is missing forth.
+     */
     void factor(PointNet net, double slack) {
         int[] a = net.a;
         int[] b = net.b;
-        double[] mass = net.mass;
-        double[] spin = net.spin;
+        double[] inverseMass = net.bodies.inverse;
         double[] arm = net.arm;
         double[] own = net.own;
+        double[] near = net.near;
+        double[] missing = net.missing;
         for (int p = 0; p < begins.length; p++) {
-            int i = a[p] / 3;
-            int k = b[p] / 3;
+            int i = a[p];
+            int k = b[p];
             int o = 6 * p;
-            double m = mass[i] + mass[k];
-            double u = spin[i];
-            double v = spin[k];
+            int q = 3 * p;
+            double gx = missing[q];
+            double gy = missing[q + 1];
+            double gz = missing[q + 2];
+            double m = inverseMass[i] + inverseMass[k];
+            double u = inverseMass[i + 3];
+            double v = inverseMass[k + 3];
             double ax = arm[o];
             double ay = arm[o + 1];
             double az = arm[o + 2];
@@ -84,7 +91,16 @@ final class PathFactors {
                     link[at + 3 * r + 1] = wy;
                     link[at + 3 * r + 2] = wz;
                 }
+                double fx = near[q - 3];
+                double fy = near[q - 2];
+                double fz = near[q - 1];
+                gx -= link[at] * fx + link[at + 1] * fy + link[at + 2] * fz;
+                gy -= link[at + 3] * fx + link[at + 4] * fy + link[at + 5] * fz;
+                gz -= link[at + 6] * fx + link[at + 7] * fy + link[at + 8] * fz;
             }
+            near[q] = gx;
+            near[q + 1] = gy;
+            near[q + 2] = gz;
             double cx = yy * zz - yz * yz;
             double cy = xz * yz - xy * zz;
             double cz = xy * yz - xz * yy;
@@ -109,9 +125,9 @@ final class PathFactors {
         int k = 6 * p + (mine ? 0 : 3);
         int j = 6 * (p - 1) + (its ? 0 : 3);
         double sign = mine == its ? 1 : -1;
-        double i = sign * net.spin[body / 3];
+        double i = sign * net.bodies.inverse[body + 3];
         double m =
-                sign * net.mass[body / 3]
+                sign * net.bodies.inverse[body]
                         + i * (arm[k] * arm[j] + arm[k + 1] * arm[j + 1] + arm[k + 2] * arm[j + 2]);
         for (int r = 0; r < 3; r++) {
             for (int c = 0; c < 3; c++) {
@@ -120,34 +136,19 @@ final class PathFactors {
         }
     }
 
-    /** What each path alone would do about what is missing; its size. */
-    double approach(PointNet net) {
-        double size = 0;
-        int from = 0;
-        while (from < begins.length) {
-            int to = from + 1;
-            while (to < begins.length && !begins[to]) {
-                to++;
-            }
-            forth(net, from, to);
-            size += back(net, from, to);
-            from = to;
-        }
-        return size;
-    }
-
-    private void forth(PointNet net, int from, int to) {
+    /** Sweeps what is missing forth. */
+    void sweep(PointNet net) {
         double[] near = net.near;
         double[] missing = net.missing;
         double x = 0;
         double y = 0;
         double z = 0;
-        for (int p = from; p < to; p++) {
+        for (int p = 0; p < begins.length; p++) {
             int o = 3 * p;
             double gx = missing[o];
             double gy = missing[o + 1];
             double gz = missing[o + 2];
-            if (p > from) {
+            if (!begins[p]) {
                 int w = 9 * p;
                 gx -= link[w] * x + link[w + 1] * y + link[w + 2] * z;
                 gy -= link[w + 3] * x + link[w + 4] * y + link[w + 5] * z;
@@ -162,14 +163,16 @@ final class PathFactors {
         }
     }
 
-    private double back(PointNet net, int from, int to) {
+    /** And back: what each path alone would do about what is missing; its size. */
+    double back(PointNet net) {
         double[] near = net.near;
         double[] missing = net.missing;
         double x = 0;
         double y = 0;
         double z = 0;
         double size = 0;
-        for (int p = to - 1; p >= from; p--) {
+        boolean isEnd = true;
+        for (int p = begins.length - 1; p >= 0; p--) {
             int o = 3 * p;
             int d = 6 * p;
             double fx = near[o];
@@ -178,12 +181,13 @@ final class PathFactors {
             double gx = inverse[d] * fx + inverse[d + 3] * fy + inverse[d + 4] * fz;
             double gy = inverse[d + 3] * fx + inverse[d + 1] * fy + inverse[d + 5] * fz;
             double gz = inverse[d + 4] * fx + inverse[d + 5] * fy + inverse[d + 2] * fz;
-            if (p < to - 1) {
+            if (!isEnd) {
                 int w = 9 * p + 9;
                 gx -= link[w] * x + link[w + 3] * y + link[w + 6] * z;
                 gy -= link[w + 1] * x + link[w + 4] * y + link[w + 7] * z;
                 gz -= link[w + 2] * x + link[w + 5] * y + link[w + 8] * z;
             }
+            isEnd = begins[p];
             x = gx;
             y = gy;
             z = gz;

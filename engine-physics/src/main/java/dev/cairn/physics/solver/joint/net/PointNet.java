@@ -1,6 +1,6 @@
 package dev.cairn.physics.solver.joint.net;
 
-import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.solver.body.SolverContext;
 
 import java.util.Arrays;
 
@@ -25,37 +25,38 @@ public final class PointNet {
 
     private static final double NEAR = 1e-6;
 
+    private static final int STRIDE = NetBodies.STRIDE;
+
     /** Whether all joints hold points. */
     public final boolean isPoints;
 
     /** By place: the joint among those of the assembly. */
     public final int[] joint;
 
+    public final NetBodies bodies;
+
     private final PathFactors paths;
 
-    /** By place: three numbers of body A, then of B; one more body for all that do not move. */
-    public final int[] a;
+    /** By place: where the numbers of body A begin, and of body B. */
+    final int[] a;
 
-    public final int[] b;
+    final int[] b;
 
     /** By place: arms in the bodies' axes, or the world's of static bodies; of A, of B. */
     public final double[] local;
 
-    /** The same in the world, in the poses of {@link #derive}, m. */
+    /** The same in the world, of the point where both are held, B's, in the present poses, m. */
     final double[] arm;
-
-    /** The same of a movement that is taken back. */
-    private final double[] trial;
 
     /** By place: axes of its rows in A, row by row; those of static bodies in the world. */
     public final double[] axes;
 
-    /** By place: distance of the centres at the tick's begin; c in the poses of derive, m. */
+    /** By place: distance of the centres at the tick's begin; c in the present poses, m. */
     public final double[] apart;
 
     public final double[] gap;
 
-    /** By place: impulse in work, N s; those of the last sub-step's halves in the axes of A. */
+    /** By place: impulse in work, N s; those of the last sub-step's halves. */
     public final double[] impulse;
 
     public final double[] before;
@@ -69,45 +70,27 @@ public final class PointNet {
     final double[] way;
     final double[] effect;
 
-    /** By body: rotation, inverse mass and inertia; what a way does to linear and angular speed. */
-    private final double[] turn;
-
-    private final double[] trialTurn;
-    public final double[] mass;
-    public final double[] spin;
-    public final double[] linear;
-    public final double[] angular;
-
-    /** By body: what the solution does. */
-    public final double[] linearSum;
-
-    public final double[] angularSum;
-
-    /** By body: movement and orientation, to take a movement back. */
-    public final double[] kept;
-
     /** Share of a row's own inverse mass by which it yields. */
     private double slack;
 
     /** By place: inverse mass of a row, a mean of the three. */
     final double[] own;
 
-    public final int bodies;
-
     /**
      * Room for an assembly, if it is one.
      *
+     * @param slots of its bodies
      * @param end bodies of each joint, -1 for one that does not move
      * @param arms by end of a joint: its place in the body's frame, three numbers
      * @param rowAxes by joint: the axes of its rows in A's frame, row by row
      */
-    public PointNet(boolean isPoints, int bodyCount, int[] end, double[] arms, double[] rowAxes) {
+    public PointNet(boolean isPoints, int[] slots, int[] end, double[] arms, double[] rowAxes) {
         this.isPoints = isPoints;
-        bodies = isPoints ? bodyCount : 0;
+        bodies = new NetBodies(isPoints ? slots : new int[0]);
         int n = isPoints ? end.length / 2 : 0;
         JointPaths order =
                 isPoints
-                        ? new JointPaths(bodyCount, end, arms)
+                        ? new JointPaths(slots.length, end, arms)
                         : new JointPaths(0, new int[0], arms);
         joint = order.joint;
         paths = new PathFactors(order.begins);
@@ -117,13 +100,12 @@ public final class PointNet {
         axes = new double[9 * n];
         for (int p = 0; p < n; p++) {
             int k = joint[p];
-            a[p] = 3 * (end[2 * k] < 0 ? bodies : end[2 * k]);
-            b[p] = 3 * (end[2 * k + 1] < 0 ? bodies : end[2 * k + 1]);
+            a[p] = STRIDE * (end[2 * k] < 0 ? bodies.count : end[2 * k]);
+            b[p] = STRIDE * (end[2 * k + 1] < 0 ? bodies.count : end[2 * k + 1]);
             System.arraycopy(arms, 6 * k, local, 6 * p, 6);
             System.arraycopy(rowAxes, 9 * k, axes, 9 * p, 9);
         }
         arm = new double[6 * n];
-        trial = new double[6 * n];
         apart = new double[3 * n];
         gap = new double[3 * n];
         impulse = new double[3 * n];
@@ -135,19 +117,6 @@ public final class PointNet {
         way = new double[3 * n];
         effect = new double[3 * n];
         own = new double[n];
-        turn = new double[9 * (bodies + 1)];
-        trialTurn = new double[9 * (bodies + 1)];
-        mass = new double[bodies + 1];
-        spin = new double[bodies + 1];
-        linear = new double[3 * (bodies + 1)];
-        angular = new double[3 * (bodies + 1)];
-        linearSum = new double[3 * (bodies + 1)];
-        angularSum = new double[3 * (bodies + 1)];
-        kept = new double[10 * bodies];
-        for (int c = 0; c < 3; c++) {
-            turn[9 * bodies + 4 * c] = 1;
-            trialTurn[9 * bodies + 4 * c] = 1;
-        }
     }
 
     /** Impulses of rows in the axes of A. */
@@ -170,68 +139,45 @@ public final class PointNet {
         }
     }
 
-    /** Begins with impulses of the last sub-step, which go along with A. */
-    public void warmStart(double[] last, double scale) {
+    /** Turns impulses in the axes of A into those of the world, times a factor. */
+    public void outward(double[] from, double[] into, double scale) {
+        double[] turn = bodies.turn;
         for (int p = 0; p < joint.length; p++) {
-            int o = 3 * a[p];
+            int o = 9 * (a[p] / STRIDE);
             int q = 3 * p;
-            double x = scale * last[q];
-            double y = scale * last[q + 1];
-            double z = scale * last[q + 2];
-            impulse[q] = turn[o] * x + turn[o + 1] * y + turn[o + 2] * z;
-            impulse[q + 1] = turn[o + 3] * x + turn[o + 4] * y + turn[o + 5] * z;
-            impulse[q + 2] = turn[o + 6] * x + turn[o + 7] * y + turn[o + 8] * z;
+            double x = scale * from[q];
+            double y = scale * from[q + 1];
+            double z = scale * from[q + 2];
+            into[q] = turn[o] * x + turn[o + 1] * y + turn[o + 2] * z;
+            into[q + 1] = turn[o + 3] * x + turn[o + 4] * y + turn[o + 5] * z;
+            into[q + 2] = turn[o + 6] * x + turn[o + 7] * y + turn[o + 8] * z;
         }
     }
 
-    /** Keeps the impulses for the next one. */
-    public void keep(double[] last, double scale) {
+    /** The way back. */
+    public void inward(double[] from, double[] into) {
+        double[] turn = bodies.turn;
         for (int p = 0; p < joint.length; p++) {
-            int o = 3 * a[p];
+            int o = 9 * (a[p] / STRIDE);
             int q = 3 * p;
-            double x = scale * impulse[q];
-            double y = scale * impulse[q + 1];
-            double z = scale * impulse[q + 2];
-            last[q] = turn[o] * x + turn[o + 3] * y + turn[o + 6] * z;
-            last[q + 1] = turn[o + 1] * x + turn[o + 4] * y + turn[o + 7] * z;
-            last[q + 2] = turn[o + 2] * x + turn[o + 5] * y + turn[o + 8] * z;
+            double x = from[q];
+            double y = from[q + 1];
+            double z = from[q + 2];
+            into[q] = turn[o] * x + turn[o + 3] * y + turn[o + 6] * z;
+            into[q + 1] = turn[o + 1] * x + turn[o + 4] * y + turn[o + 7] * z;
+            into[q + 2] = turn[o + 2] * x + turn[o + 5] * y + turn[o + 8] * z;
         }
     }
 
-    /** Rotations of the bodies. */
-    private void rotate(BodyStore all, int[] slot, double[] turn) {
-        for (int n = 0; n < bodies; n++) {
-            int i = slot[n];
-            double x = all.orientationX[i];
-            double y = all.orientationY[i];
-            double z = all.orientationZ[i];
-            double w = all.orientationW[i];
-            int o = 9 * n;
-            turn[o] = 1 - 2 * (y * y + z * z);
-            turn[o + 1] = 2 * (x * y - w * z);
-            turn[o + 2] = 2 * (x * z + w * y);
-            turn[o + 3] = 2 * (x * y + w * z);
-            turn[o + 4] = 1 - 2 * (x * x + z * z);
-            turn[o + 5] = 2 * (y * z - w * x);
-            turn[o + 6] = 2 * (x * z - w * y);
-            turn[o + 7] = 2 * (y * z + w * x);
-            turn[o + 8] = 1 - 2 * (x * x + y * y);
-        }
-    }
-
-    /**
-     * Arms and gaps.
-     *
-     * @param turn by body: its rotation
-     * @param moved by body: movement since the tick's begin, as in {@link #kept}
-     * @param arms receives the arms of the point where both are held, B's, six to a joint
-     * @param gaps receives the gaps
-     */
-    private void measure(double[] turn, double[] moved, double[] arms, double[] gaps) {
+    /** Arms and gaps in the poses of now. */
+    public void derive(SolverContext tick) {
+        bodies.look(tick);
+        double[] turn = bodies.turn;
+        double[] moved = bodies.change;
         for (int p = 0; p < joint.length; p++) {
             int o = 6 * p;
-            int i = 3 * a[p];
-            int k = 3 * b[p];
+            int i = 9 * (a[p] / STRIDE);
+            int k = 9 * (b[p] / STRIDE);
             for (int c = 0; c < 3; c++) {
                 double ra =
                         turn[i + 3 * c] * local[o]
@@ -242,65 +188,186 @@ public final class PointNet {
                                 + turn[k + 3 * c + 1] * local[o + 4]
                                 + turn[k + 3 * c + 2] * local[o + 5];
                 double way = apart[3 * p + c] + (moved[b[p] + c] - moved[a[p] + c]) + rb;
-                arms[o + c] = way;
-                arms[o + 3 + c] = rb;
-                gaps[3 * p + c] = way - ra;
+                arm[o + c] = way;
+                arm[o + 3 + c] = rb;
+                gap[3 * p + c] = way - ra;
             }
         }
     }
 
-    /** Arms and gaps in the poses of now; {@link #linear} is where bodies have moved to. */
-    public void derive(BodyStore all, int[] slot) {
-        rotate(all, slot, turn);
-        measure(turn, linear, arm, gap);
-    }
-
-    /** The gaps alone, into {@link #missing}. */
-    public void look(BodyStore all, int[] slot) {
-        rotate(all, slot, trialTurn);
-        measure(trialTurn, linear, trial, missing);
+    /**
+     * What joints lack where a step will lead, over its length, into {@link #missing}. A turn by
+     * the quaternion (d, w) moves an arm r by {@code w t + d × t, t = 2 d × r}.
+     *
+     * @param tiny gaps beyond this shall stay
+     * @return the largest, m
+     */
+    public double foresee(double h, double tiny) {
+        double[] s = bodies.step;
+        double worst = 0;
+        double scale = -1 / h;
+        for (int p = 0; p < joint.length; p++) {
+            int o = 6 * p;
+            int q = 3 * p;
+            int i = a[p];
+            int k = b[p];
+            double gx = gap[q];
+            double gy = gap[q + 1];
+            double gz = gap[q + 2];
+            double mx = s[k] - s[i] + (Math.abs(gx) > tiny ? 0 : gx);
+            double my = s[k + 1] - s[i + 1] + (Math.abs(gy) > tiny ? 0 : gy);
+            double mz = s[k + 2] - s[i + 2] + (Math.abs(gz) > tiny ? 0 : gz);
+            double rx = arm[o] - gx;
+            double ry = arm[o + 1] - gy;
+            double rz = arm[o + 2] - gz;
+            double dx = s[i + 3];
+            double dy = s[i + 4];
+            double dz = s[i + 5];
+            double w = s[i + 6];
+            double tx = 2 * (dy * rz - dz * ry);
+            double ty = 2 * (dz * rx - dx * rz);
+            double tz = 2 * (dx * ry - dy * rx);
+            mx -= w * tx + (dy * tz - dz * ty);
+            my -= w * ty + (dz * tx - dx * tz);
+            mz -= w * tz + (dx * ty - dy * tx);
+            rx = arm[o + 3];
+            ry = arm[o + 4];
+            rz = arm[o + 5];
+            dx = s[k + 3];
+            dy = s[k + 4];
+            dz = s[k + 5];
+            w = s[k + 6];
+            tx = 2 * (dy * rz - dz * ry);
+            ty = 2 * (dz * rx - dx * rz);
+            tz = 2 * (dx * ry - dy * rx);
+            mx += w * tx + (dy * tz - dz * ty);
+            my += w * ty + (dz * tx - dx * tz);
+            mz += w * tz + (dx * ty - dy * tx);
+            worst =
+                    Math.max(
+                            worst,
+                            Math.max(Math.abs(mx), Math.max(Math.abs(my), Math.abs(mz))));
+            missing[q] = scale * mx;
+            missing[q + 1] = scale * my;
+            missing[q + 2] = scale * mz;
+        }
+        return worst;
     }
 
     /**
-     * Inverts what the joints of each path do to each other.
+     * The bodies have made the step that was foreseen: arms and gaps go with them.
      *
-     * @param isSame whether the poses are those of the last time
+     * @return the largest gap, m
      */
-    public void factor(double slack, boolean isSame) {
-        if (!isSame) {
-            paths.factor(this, slack);
+    public double follow() {
+        double[] s = bodies.step;
+        double worst = 0;
+        for (int p = 0; p < joint.length; p++) {
+            int o = 6 * p;
+            int q = 3 * p;
+            int i = a[p];
+            int k = b[p];
+            double dx = s[k + 3];
+            double dy = s[k + 4];
+            double dz = s[k + 5];
+            double w = s[k + 6];
+            double rx = arm[o + 3];
+            double ry = arm[o + 4];
+            double rz = arm[o + 5];
+            double tx = 2 * (dy * rz - dz * ry);
+            double ty = 2 * (dz * rx - dx * rz);
+            double tz = 2 * (dx * ry - dy * rx);
+            double mx = w * tx + (dy * tz - dz * ty);
+            double my = w * ty + (dz * tx - dx * tz);
+            double mz = w * tz + (dx * ty - dy * tx);
+            arm[o + 3] = rx + mx;
+            arm[o + 4] = ry + my;
+            arm[o + 5] = rz + mz;
+            mx += s[k] - s[i];
+            my += s[k + 1] - s[i + 1];
+            mz += s[k + 2] - s[i + 2];
+            rx = arm[o] - gap[q];
+            ry = arm[o + 1] - gap[q + 1];
+            rz = arm[o + 2] - gap[q + 2];
+            arm[o] += mx;
+            arm[o + 1] += my;
+            arm[o + 2] += mz;
+            dx = s[i + 3];
+            dy = s[i + 4];
+            dz = s[i + 5];
+            w = s[i + 6];
+            tx = 2 * (dy * rz - dz * ry);
+            ty = 2 * (dz * rx - dx * rz);
+            tz = 2 * (dx * ry - dy * rx);
+            mx = gap[q] + (mx - (w * tx + (dy * tz - dz * ty)));
+            my = gap[q + 1] + (my - (w * ty + (dz * tx - dx * tz)));
+            mz = gap[q + 2] + (mz - (w * tz + (dx * ty - dy * tx)));
+            gap[q] = mx;
+            gap[q + 1] = my;
+            gap[q + 2] = mz;
+            worst =
+                    Math.max(
+                            worst,
+                            Math.max(Math.abs(mx), Math.max(Math.abs(my), Math.abs(mz))));
         }
-        this.slack = slack;
+        return worst;
     }
 
-    /** Solves {@code (J M^-1 J^T + E) l = missing}; what l does is in the sums. */
-    public void solve() {
-        Arrays.fill(solution, 0.0);
-        Arrays.fill(way, 0.0);
-        Arrays.fill(linearSum, 0.0);
-        Arrays.fill(angularSum, 0.0);
+    /** The same of impulses: they go with A. */
+    public void follow(double[] last) {
+        double[] s = bodies.step;
+        for (int p = 0; p < joint.length; p++) {
+            int q = 3 * p;
+            int i = a[p];
+            double dx = s[i + 3];
+            double dy = s[i + 4];
+            double dz = s[i + 5];
+            double w = s[i + 6];
+            double x = last[q];
+            double y = last[q + 1];
+            double z = last[q + 2];
+            double tx = 2 * (dy * z - dz * y);
+            double ty = 2 * (dz * x - dx * z);
+            double tz = 2 * (dx * y - dy * x);
+            last[q] = x + (w * tx + (dy * tz - dz * ty));
+            last[q + 1] = y + (w * ty + (dz * tx - dx * tz));
+            last[q + 2] = z + (w * tz + (dx * ty - dy * tx));
+        }
+    }
+
+    /**
+     * Solves {@code (J M^-1 J^T + E) l = missing}; what l does is in the bodies' sums.
+     *
+     * @param yields share of a row's own inverse mass by which it yields
+     * @param isSame whether the poses are those of the last time
+     */
+    public void solve(double yields, boolean isSame) {
+        slack = yields;
         double left = 0;
         for (double m : missing) {
             left += m * m;
         }
         double goal = NEAR * left;
+        Arrays.fill(solution, 0.0);
+        Arrays.fill(bodies.sum, 0.0);
         double size = 1;
         for (int round = 0; round < ROUNDS && left > goal; round++) {
-            double next = paths.approach(this);
-            double turned = round == 0 ? 0 : next / size;
-            size = next;
-            for (int r = 0; r < way.length; r++) {
-                way[r] = near[r] + turned * way[r];
+            if (round == 0 && !isSame) {
+                paths.factor(this, slack);
+            } else {
+                paths.sweep(this);
             }
-            apply(way);
+            double next = paths.back(this);
+            direct(round == 0 ? 0 : next / size);
+            size = next;
             double bend = effect();
             if (!(bend > 0)) {
                 return;
             }
             double step = size / bend;
-            for (int r = 0; r < linear.length; r++) {
-                linearSum[r] += step * linear[r];
-                angularSum[r] += step * angular[r];
+            double[] change = bodies.change;
+            for (int r = 0; r < change.length; r++) {
+                bodies.sum[r] += step * change[r];
             }
             left = 0;
             for (int r = 0; r < way.length; r++) {
@@ -312,10 +379,22 @@ public final class PointNet {
         }
     }
 
+    /** The next direction: what paths want, and a share of the last one. */
+    private void direct(double turned) {
+        if (turned == 0) {
+            System.arraycopy(near, 0, way, 0, way.length);
+        } else {
+            for (int r = 0; r < way.length; r++) {
+                way[r] = near[r] + turned * way[r];
+            }
+        }
+        apply(way);
+    }
+
     /** What impulses do to the bodies' velocities. */
     public void apply(double[] l) {
-        Arrays.fill(linear, 0.0);
-        Arrays.fill(angular, 0.0);
+        double[] change = bodies.change;
+        Arrays.fill(change, 0.0);
         for (int p = 0; p < joint.length; p++) {
             int i = a[p];
             int k = b[p];
@@ -323,54 +402,63 @@ public final class PointNet {
             double x = l[3 * p];
             double y = l[3 * p + 1];
             double z = l[3 * p + 2];
-            linear[i] -= x;
-            linear[i + 1] -= y;
-            linear[i + 2] -= z;
-            angular[i] -= arm[o + 1] * z - arm[o + 2] * y;
-            angular[i + 1] -= arm[o + 2] * x - arm[o] * z;
-            angular[i + 2] -= arm[o] * y - arm[o + 1] * x;
-            linear[k] += x;
-            linear[k + 1] += y;
-            linear[k + 2] += z;
-            angular[k] += arm[o + 4] * z - arm[o + 5] * y;
-            angular[k + 1] += arm[o + 5] * x - arm[o + 3] * z;
-            angular[k + 2] += arm[o + 3] * y - arm[o + 4] * x;
+            change[i] -= x;
+            change[i + 1] -= y;
+            change[i + 2] -= z;
+            change[i + 3] -= arm[o + 1] * z - arm[o + 2] * y;
+            change[i + 4] -= arm[o + 2] * x - arm[o] * z;
+            change[i + 5] -= arm[o] * y - arm[o + 1] * x;
+            change[k] += x;
+            change[k + 1] += y;
+            change[k + 2] += z;
+            change[k + 3] += arm[o + 4] * z - arm[o + 5] * y;
+            change[k + 4] += arm[o + 5] * x - arm[o + 3] * z;
+            change[k + 5] += arm[o + 3] * y - arm[o + 4] * x;
         }
-        for (int n = 0; n <= bodies; n++) {
-            for (int c = 3 * n; c < 3 * n + 3; c++) {
-                linear[c] *= mass[n];
-                angular[c] *= spin[n];
-            }
-        }
+        bodies.weigh();
     }
 
-    /** Speeds of the rows by {@link #linear} and {@link #angular}, into an array. */
-    public void speeds(double[] into) {
+    /**
+     * Speeds of the rows with their sign turned, into {@link #missing}.
+     *
+     * @return the largest, m/s
+     */
+    public double speeds() {
+        speeds(bodies.velocity, missing);
+        double worst = 0;
+        for (int r = 0; r < missing.length; r++) {
+            worst = Math.max(worst, Math.abs(missing[r]));
+            missing[r] = -missing[r];
+        }
+        return worst;
+    }
+
+    private void speeds(double[] v, double[] into) {
         for (int p = 0; p < joint.length; p++) {
             int i = a[p];
             int k = b[p];
             int o = 6 * p;
             into[3 * p] =
-                    linear[k]
-                            - linear[i]
-                            + (angular[k + 1] * arm[o + 5] - angular[k + 2] * arm[o + 4])
-                            - (angular[i + 1] * arm[o + 2] - angular[i + 2] * arm[o + 1]);
+                    v[k]
+                            - v[i]
+                            + (v[k + 4] * arm[o + 5] - v[k + 5] * arm[o + 4])
+                            - (v[i + 4] * arm[o + 2] - v[i + 5] * arm[o + 1]);
             into[3 * p + 1] =
-                    linear[k + 1]
-                            - linear[i + 1]
-                            + (angular[k + 2] * arm[o + 3] - angular[k] * arm[o + 5])
-                            - (angular[i + 2] * arm[o] - angular[i] * arm[o + 2]);
+                    v[k + 1]
+                            - v[i + 1]
+                            + (v[k + 5] * arm[o + 3] - v[k + 3] * arm[o + 5])
+                            - (v[i + 5] * arm[o] - v[i + 3] * arm[o + 2]);
             into[3 * p + 2] =
-                    linear[k + 2]
-                            - linear[i + 2]
-                            + (angular[k] * arm[o + 4] - angular[k + 1] * arm[o + 3])
-                            - (angular[i] * arm[o + 1] - angular[i + 1] * arm[o]);
+                    v[k + 2]
+                            - v[i + 2]
+                            + (v[k + 3] * arm[o + 4] - v[k + 4] * arm[o + 3])
+                            - (v[i + 3] * arm[o + 1] - v[i + 4] * arm[o]);
         }
     }
 
     /** What the way does to the rows; its share in the energy. */
     private double effect() {
-        speeds(effect);
+        speeds(bodies.change, effect);
         double sum = 0;
         for (int p = 0; p < joint.length; p++) {
             double e = slack * own[p];
