@@ -75,7 +75,7 @@ final class ConjugateGradients implements Assembly.Matrix {
      * @param arms by end of a joint: its place in the body's frame, three numbers
      */
     ConjugateGradients(int bodies, int[] end, int[] firstRow, double[] arms) {
-        paths = new JointPaths(bodies, end, arms);
+        paths = new JointPaths(bodies, end, arms, 1);
         this.bodies = bodies;
         this.end = end;
         this.firstRow = firstRow;
@@ -95,7 +95,7 @@ final class ConjugateGradients implements Assembly.Matrix {
         for (int p = 0; p < joints; p++) {
             int k = paths.joint[p];
             firstLink[k] = links;
-            if (!paths.begins[p]) {
+            if (paths.prior[p] >= 0) {
                 int j = paths.joint[p - 1];
                 links += (firstRow[k + 1] - firstRow[k]) * (firstRow[j + 1] - firstRow[j]);
             }
@@ -138,7 +138,7 @@ final class ConjugateGradients implements Assembly.Matrix {
                     block[at + n * r + c] = own(s, firstRow[k] + r, firstRow[k] + c);
                 }
             }
-            if (!paths.begins[p]) {
+            if (paths.prior[p] >= 0) {
                 link(s, paths.joint[p - 1], k);
             }
             decompose(at, n);
@@ -284,7 +284,7 @@ final class ConjugateGradients implements Assembly.Matrix {
             int k = paths.joint[p];
             int n = firstRow[k + 1] - firstRow[k];
             int o = firstRow[k];
-            if (paths.begins[p]) {
+            if (paths.prior[p] < 0) {
                 System.arraycopy(missing, o, near, o, n);
             } else {
                 int m = firstRow[last + 1] - firstRow[last];
@@ -306,7 +306,7 @@ final class ConjugateGradients implements Assembly.Matrix {
             int o = firstRow[k];
             System.arraycopy(near, o, row, 0, n);
             solveOwn(firstBlock[k], n, row);
-            if (p + 1 < paths.joint.length && !paths.begins[p + 1]) {
+            if (p + 1 < paths.joint.length && paths.prior[p + 1] >= 0) {
                 int next = paths.joint[p + 1];
                 int m = firstRow[next + 1] - firstRow[next];
                 int at = firstLink[next];

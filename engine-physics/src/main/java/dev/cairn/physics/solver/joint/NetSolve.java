@@ -172,28 +172,31 @@ final class NetSolve {
         takeOff();
         if (!flows) {
             bodies.take(tick);
+            multiply(net.before, 1, net.impulse);
+        } else if (halves == 1) {
+            multiply(net.impulse, 2, net.impulse);
         }
-        bodies.kick(h);
         halves = flows ? 2 : 1;
-        begin(net.before, halves, JointWork.GAIN);
+        bodies.kick(h);
+        start(JointWork.GAIN);
         solvePosition(h, JointWork.GAIN);
-        multiply(net.impulse, 1 / halves, net.before);
         if (isLast) {
             react(1 / (halves * h), false);
         }
         bodies.move(tick);
         double worst = net.follow();
-        net.follow(net.before);
+        net.follow(net.impulse);
         s.isFactored = false;
         flows = !isLast && !s.hasFactors && worst <= OPEN * s.size;
         if (flows) {
             return;
         }
+        multiply(net.impulse, 1 / halves, net.before);
         if (halves == 1) {
             net.follow(net.after);
         }
-        double gain = s.keeps ? JointWork.GAIN : Double.POSITIVE_INFINITY;
-        begin(halves > 1 ? net.before : net.after, 1, gain);
+        multiply(halves > 1 ? net.before : net.after, 1, net.impulse);
+        start(s.keeps ? JointWork.GAIN : Double.POSITIVE_INFINITY);
         solveVelocity(h);
         multiply(net.impulse, 1, net.after);
         if (isLast) {
@@ -218,11 +221,6 @@ final class NetSolve {
         for (int i : s.body) {
             tick.body.state[SolverBodies.offset(i) + SolverBodies.LOADED] = 0;
         }
-    }
-
-    private void begin(double[] first, double scale, double gain) {
-        multiply(first, scale, net.impulse);
-        start(gain);
     }
 
     private static void multiply(double[] from, double factor, double[] into) {
@@ -308,16 +306,13 @@ final class NetSolve {
         }
     }
 
-    private void solve(double slack) {
-        net.solve(slack, s.isFactored);
+    private void solve(double slack, boolean counts) {
+        net.solve(slack, s.isFactored, counts);
         s.isFactored = true;
     }
 
     private void correct() {
-        solve(SLACK);
-        for (int r = 0; r < net.impulse.length; r++) {
-            net.impulse[r] += net.solution[r];
-        }
+        solve(SLACK, true);
         net.bodies.add(net.bodies.sum, 1);
     }
 
@@ -371,10 +366,11 @@ final class NetSolve {
             net.bodies.give(tick);
             inner.note(tick, s);
         }
-        solve(AssemblyEquations.SOFT);
+        solve(AssemblyEquations.SOFT, false);
         shift(reach);
         s.isFresh = false;
         derive();
+        s.isFactored = worst <= OPEN * s.size; // they have hardly moved
         if (!s.isGrounded) {
             inner.giveBack(tick, s);
             net.bodies.take(tick);

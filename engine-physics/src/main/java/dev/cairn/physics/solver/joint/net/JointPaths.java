@@ -11,11 +11,11 @@ import java.util.Arrays;
  * the cost of a sweep. Made when the graph of joints changes; allocates.
  */
 public final class JointPaths {
-    /** Joints, path after path. */
+    /** Joints, along the paths. */
     public final int[] joint;
 
-    /** By place in that: whether a path begins there. */
-    public final boolean[] begins;
+    /** By place in that: the place of the joint before on its path, or -1 where that begins. */
+    public final int[] prior;
 
     /** A path goes on where it turns by less than 60 degrees. */
     private static final double STRAIGHT = -0.5;
@@ -38,13 +38,15 @@ public final class JointPaths {
      * @param bodies how many
      * @param end bodies of each joint, -1 for one that does not move
      * @param arm by end of a joint: its place in the body's frame, three numbers
+     * @param abreast paths that lie side by side, joint by joint: sweeps along one path wait for
+     *     each number that they make, and a processor does several at once
      */
-    public JointPaths(int bodies, int[] end, double[] arm) {
+    public JointPaths(int bodies, int[] end, double[] arm, int abreast) {
         this.end = end;
         this.arm = arm;
         int joints = end.length / 2;
         joint = new int[joints];
-        begins = new boolean[joints];
+        prior = new int[joints];
         isUsed = new boolean[joints];
         visited = new int[bodies];
         Arrays.fill(visited, -1);
@@ -52,6 +54,9 @@ public final class JointPaths {
         of = new int[end.length];
         list();
         int[] back = new int[joints];
+        int[] along = new int[joints];
+        int[] first = new int[joints + 1];
+        int paths = 0;
         int done = 0;
         for (int k = 0; k < joints; k++) {
             if (isUsed[k]) {
@@ -64,13 +69,34 @@ public final class JointPaths {
             for (int e = onwards(k, 2 * k); e >= 0; e = onwards(k, e)) {
                 back[n++] = e / 2;
             }
-            begins[done] = true;
             while (n > 0) {
-                joint[done++] = back[--n];
+                along[done++] = back[--n];
             }
-            joint[done++] = k;
+            along[done++] = k;
             for (int e = onwards(k, 2 * k + 1); e >= 0; e = onwards(k, e)) {
-                joint[done++] = e / 2;
+                along[done++] = e / 2;
+            }
+            first[++paths] = done;
+        }
+        lay(along, first, paths, abreast);
+    }
+
+    /** Lays paths side by side. */
+    private void lay(int[] along, int[] first, int paths, int abreast) {
+        int done = 0;
+        for (int from = 0; from < paths; from += abreast) {
+            int to = Math.min(paths, from + abreast);
+            int[] last = new int[to - from];
+            Arrays.fill(last, -1);
+            int end = done + first[to] - first[from];
+            for (int at = 0; done < end; at++) {
+                for (int k = from; k < to; k++) {
+                    if (first[k] + at < first[k + 1]) {
+                        joint[done] = along[first[k] + at];
+                        prior[done] = last[k - from];
+                        last[k - from] = done++;
+                    }
+                }
             }
         }
     }

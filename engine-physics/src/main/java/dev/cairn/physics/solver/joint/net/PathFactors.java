@@ -2,52 +2,86 @@ package dev.cairn.physics.solver.joint.net;
 
 /**
  * What the joints of each path of a {@link PointNet} do to each other, inverted: block tridiagonal,
- * so that a solution is a sweep to and fro. With A a joint's own block, and C what the one before
- * does to it,
+ * so that a solution is a sweep to and fro. With A a joint's own block, and {@code C = c 1 - i j
+ * k^T} what the one before, of the arm j, does to it, of the arm k,
  *
  * <pre>
- * W = C D^-1,  D' = A - W C^T
+ * W = C D^-1 = c D^-1 - i j u^T,  u = D^-1 k
+ * D' = A - W C^T = A - c W + i W k j^T
  * </pre>
  *
  * <p>Does not allocate but when it is made.
  */
 final class PathFactors {
-    /** By place: whether a path begins. */
-    private final boolean[] begins;
+    /** By place: the one before on its path, or -1; and the one after. */
+    private final int[] prior;
+
+    private final int[] next;
+
+    /** By place: the body that it shares with the one before; arms at that, its own and that's. */
+    private final int[] shared;
+
+    private final int[] mine;
+    private final int[] its;
 
     /** By place: W, row by row, and the inverse of D: xx, yy, zz, xy, xz, yz. */
     private final double[] link;
 
     private final double[] inverse;
 
-    PathFactors(boolean[] begins) {
-        this.begins = begins;
-        link = new double[9 * begins.length];
-        inverse = new double[6 * begins.length];
+    /**
+     * Room for them.
+     *
+     * @param prior by place: the one before on its path, or -1
+     * @param a by place: body A
+     * @param b by place: body B
+     */
+    PathFactors(int[] prior, int[] a, int[] b) {
+        this.prior = prior;
+        int n = prior.length;
+        next = new int[n];
+        shared = new int[n];
+        mine = new int[n];
+        its = new int[n];
+        for (int p = 0; p < n; p++) {
+            next[p] = -1;
+            int o = prior[p];
+            if (o >= 0) {
+                next[o] = p;
+                boolean isA = a[p] == a[o] || a[p] == b[o];
+                shared[p] = isA ? a[p] : b[p];
+                mine[p] = 6 * p + (isA ? 0 : 3);
+                its[p] = 6 * o + (a[o] == shared[p] ? 0 : 3);
+            }
+        }
+        link = new double[9 * n];
+        inverse = new double[6 * n];
     }
 
     /**
      * Inverts what the joints of each path do to each other, and sweeps what is missing forth.
+     *
+     * @return the square of what is missing
      */
-    void factor(PointNet net, double slack) {
+    double factor(PointNet net, double slack) {
         int[] a = net.a;
         int[] b = net.b;
-        double[] inverseMass = net.bodies.inverse;
+        double[] weights = net.bodies.inverse;
         double[] arm = net.arm;
         double[] own = net.own;
         double[] near = net.near;
         double[] missing = net.missing;
-        for (int p = 0; p < begins.length; p++) {
-            int i = a[p];
-            int k = b[p];
+        double left = 0;
+        for (int p = 0; p < prior.length; p++) {
             int o = 6 * p;
             int q = 3 * p;
             double gx = missing[q];
             double gy = missing[q + 1];
             double gz = missing[q + 2];
-            double m = inverseMass[i] + inverseMass[k];
-            double u = inverseMass[i + 3];
-            double v = inverseMass[k + 3];
+            left += gx * gx + gy * gy + gz * gz;
+            double m = weights[a[p]] + weights[b[p]];
+            double u = weights[a[p] + 3];
+            double v = weights[b[p] + 3];
             double ax = arm[o];
             double ay = arm[o + 1];
             double az = arm[o + 2];
@@ -65,38 +99,68 @@ final class PathFactors {
             xx += e;
             yy += e;
             zz += e;
-            if (!begins[p]) {
-                int at = 9 * p;
-                couple(net, p, at);
-                // W = C D^-1, and D' = A - W C^T
-                int d = 6 * (p - 1);
-                for (int r = 0; r < 3; r++) {
-                    double x = link[at + 3 * r];
-                    double y = link[at + 3 * r + 1];
-                    double z = link[at + 3 * r + 2];
-                    double wx = x * inverse[d] + y * inverse[d + 3] + z * inverse[d + 4];
-                    double wy = x * inverse[d + 3] + y * inverse[d + 1] + z * inverse[d + 5];
-                    double wz = x * inverse[d + 4] + y * inverse[d + 5] + z * inverse[d + 2];
-                    if (r == 0) {
-                        xx -= wx * x + wy * y + wz * z;
-                        xy -= wx * link[at + 3] + wy * link[at + 4] + wz * link[at + 5];
-                        xz -= wx * link[at + 6] + wy * link[at + 7] + wz * link[at + 8];
-                    } else if (r == 1) {
-                        yy -= wx * x + wy * y + wz * z;
-                        yz -= wx * link[at + 6] + wy * link[at + 7] + wz * link[at + 8];
-                    } else {
-                        zz -= wx * x + wy * y + wz * z;
-                    }
-                    link[at + 3 * r] = wx;
-                    link[at + 3 * r + 1] = wy;
-                    link[at + 3 * r + 2] = wz;
-                }
-                double fx = near[q - 3];
-                double fy = near[q - 2];
-                double fz = near[q - 1];
-                gx -= link[at] * fx + link[at + 1] * fy + link[at + 2] * fz;
-                gy -= link[at + 3] * fx + link[at + 4] * fy + link[at + 5] * fz;
-                gz -= link[at + 6] * fx + link[at + 7] * fy + link[at + 8] * fz;
+            int before = prior[p];
+            if (before >= 0) {
+                int k = mine[p];
+                int j = its[p];
+                double sign = (k - o == 0) == (j - 6 * before == 0) ? 1 : -1;
+                double i = sign * weights[shared[p] + 3];
+                double kx = arm[k];
+                double ky = arm[k + 1];
+                double kz = arm[k + 2];
+                double jx = arm[j];
+                double jy = arm[j + 1];
+                double jz = arm[j + 2];
+                double c = sign * weights[shared[p]] + i * (kx * jx + ky * jy + kz * jz);
+                int d = 6 * before;
+                double dxx = inverse[d];
+                double dyy = inverse[d + 1];
+                double dzz = inverse[d + 2];
+                double dxy = inverse[d + 3];
+                double dxz = inverse[d + 4];
+                double dyz = inverse[d + 5];
+                double ux = dxx * kx + dxy * ky + dxz * kz;
+                double uy = dxy * kx + dyy * ky + dyz * kz;
+                double uz = dxz * kx + dyz * ky + dzz * kz;
+                jx *= i;
+                jy *= i;
+                jz *= i;
+                double wxx = c * dxx - jx * ux;
+                double wxy = c * dxy - jx * uy;
+                double wxz = c * dxz - jx * uz;
+                double wyx = c * dxy - jy * ux;
+                double wyy = c * dyy - jy * uy;
+                double wyz = c * dyz - jy * uz;
+                double wzx = c * dxz - jz * ux;
+                double wzy = c * dyz - jz * uy;
+                double wzz = c * dzz - jz * uz;
+                // W k
+                double square = kx * ux + ky * uy + kz * uz;
+                double rx = c * ux - jx * square;
+                double ry = c * uy - jy * square;
+                double rz = c * uz - jz * square;
+                xx -= c * wxx - rx * jx;
+                yy -= c * wyy - ry * jy;
+                zz -= c * wzz - rz * jz;
+                xy -= c * wxy - rx * jy;
+                xz -= c * wxz - rx * jz;
+                yz -= c * wyz - ry * jz;
+                int w = 9 * p;
+                link[w] = wxx;
+                link[w + 1] = wxy;
+                link[w + 2] = wxz;
+                link[w + 3] = wyx;
+                link[w + 4] = wyy;
+                link[w + 5] = wyz;
+                link[w + 6] = wzx;
+                link[w + 7] = wzy;
+                link[w + 8] = wzz;
+                double fx = near[3 * before];
+                double fy = near[3 * before + 1];
+                double fz = near[3 * before + 2];
+                gx -= wxx * fx + wxy * fy + wxz * fz;
+                gy -= wyx * fx + wyy * fy + wyz * fz;
+                gz -= wzx * fx + wzy * fy + wzz * fz;
             }
             near[q] = gx;
             near[q + 1] = gy;
@@ -112,67 +176,42 @@ final class PathFactors {
             inverse[o + 4] = f * cz;
             inverse[o + 5] = f * (xy * xz - xx * yz);
         }
+        return left;
     }
 
-    /** What the joint before does to one, by the body of both. */
-    private void couple(PointNet net, int p, int at) {
-        int[] a = net.a;
-        int[] b = net.b;
-        double[] arm = net.arm;
-        boolean mine = a[p] == a[p - 1] || a[p] == b[p - 1];
-        int body = mine ? a[p] : b[p];
-        boolean its = a[p - 1] == body;
-        int k = 6 * p + (mine ? 0 : 3);
-        int j = 6 * (p - 1) + (its ? 0 : 3);
-        double sign = mine == its ? 1 : -1;
-        double i = sign * net.bodies.inverse[body + 3];
-        double m =
-                sign * net.bodies.inverse[body]
-                        + i * (arm[k] * arm[j] + arm[k + 1] * arm[j + 1] + arm[k + 2] * arm[j + 2]);
-        for (int r = 0; r < 3; r++) {
-            for (int c = 0; c < 3; c++) {
-                link[at + 3 * r + c] = (r == c ? m : 0) - i * arm[j + r] * arm[k + c];
-            }
-        }
-    }
-
-    /** Sweeps what is missing forth. */
-    void sweep(PointNet net) {
+    /** Sweeps what is missing forth; its square. */
+    double sweep(PointNet net) {
         double[] near = net.near;
         double[] missing = net.missing;
-        double x = 0;
-        double y = 0;
-        double z = 0;
-        for (int p = 0; p < begins.length; p++) {
+        double left = 0;
+        for (int p = 0; p < prior.length; p++) {
             int o = 3 * p;
             double gx = missing[o];
             double gy = missing[o + 1];
             double gz = missing[o + 2];
-            if (!begins[p]) {
+            left += gx * gx + gy * gy + gz * gz;
+            if (prior[p] >= 0) {
                 int w = 9 * p;
+                double x = near[3 * prior[p]];
+                double y = near[3 * prior[p] + 1];
+                double z = near[3 * prior[p] + 2];
                 gx -= link[w] * x + link[w + 1] * y + link[w + 2] * z;
                 gy -= link[w + 3] * x + link[w + 4] * y + link[w + 5] * z;
                 gz -= link[w + 6] * x + link[w + 7] * y + link[w + 8] * z;
             }
-            x = gx;
-            y = gy;
-            z = gz;
-            near[o] = x;
-            near[o + 1] = y;
-            near[o + 2] = z;
+            near[o] = gx;
+            near[o + 1] = gy;
+            near[o + 2] = gz;
         }
+        return left;
     }
 
     /** And back: what each path alone would do about what is missing; its size. */
     double back(PointNet net) {
         double[] near = net.near;
         double[] missing = net.missing;
-        double x = 0;
-        double y = 0;
-        double z = 0;
         double size = 0;
-        boolean isEnd = true;
-        for (int p = begins.length - 1; p >= 0; p--) {
+        for (int p = prior.length - 1; p >= 0; p--) {
             int o = 3 * p;
             int d = 6 * p;
             double fx = near[o];
@@ -181,20 +220,19 @@ final class PathFactors {
             double gx = inverse[d] * fx + inverse[d + 3] * fy + inverse[d + 4] * fz;
             double gy = inverse[d + 3] * fx + inverse[d + 1] * fy + inverse[d + 5] * fz;
             double gz = inverse[d + 4] * fx + inverse[d + 5] * fy + inverse[d + 2] * fz;
-            if (!isEnd) {
-                int w = 9 * p + 9;
+            if (next[p] >= 0) {
+                int w = 9 * next[p];
+                double x = near[3 * next[p]];
+                double y = near[3 * next[p] + 1];
+                double z = near[3 * next[p] + 2];
                 gx -= link[w] * x + link[w + 3] * y + link[w + 6] * z;
                 gy -= link[w + 1] * x + link[w + 4] * y + link[w + 7] * z;
                 gz -= link[w + 2] * x + link[w + 5] * y + link[w + 8] * z;
             }
-            isEnd = begins[p];
-            x = gx;
-            y = gy;
-            z = gz;
-            near[o] = x;
-            near[o + 1] = y;
-            near[o + 2] = z;
-            size += x * missing[o] + y * missing[o + 1] + z * missing[o + 2];
+            near[o] = gx;
+            near[o + 1] = gy;
+            near[o + 2] = gz;
+            size += gx * missing[o] + gy * missing[o + 1] + gz * missing[o + 2];
         }
         return size;
     }

@@ -25,6 +25,9 @@ public final class PointNet {
 
     private static final double NEAR = 1e-6;
 
+    /** Paths that lie side by side. */
+    private static final int ABREAST = 64;
+
     private static final int STRIDE = NetBodies.STRIDE;
 
     /** Whether all joints hold points. */
@@ -62,10 +65,9 @@ public final class PointNet {
     public final double[] before;
     public final double[] after;
 
-    /** By place: what is missing; the solution; room for the directions of the rounds. */
+    /** By place: what is missing; room for the directions of the rounds. */
     public final double[] missing;
 
-    public final double[] solution;
     final double[] near;
     final double[] way;
     final double[] effect;
@@ -75,6 +77,12 @@ public final class PointNet {
 
     /** By place: inverse mass of a row, a mean of the three. */
     final double[] own;
+
+    /** Products of an effect: with its way, with what is missing, with itself. */
+    private double bend;
+
+    private double meets;
+    private double squares;
 
     /**
      * Room for an assembly, if it is one.
@@ -90,10 +98,9 @@ public final class PointNet {
         int n = isPoints ? end.length / 2 : 0;
         JointPaths order =
                 isPoints
-                        ? new JointPaths(slots.length, end, arms)
-                        : new JointPaths(0, new int[0], arms);
+                        ? new JointPaths(slots.length, end, arms, ABREAST)
+                        : new JointPaths(0, new int[0], arms, 1);
         joint = order.joint;
-        paths = new PathFactors(order.begins);
         a = new int[n];
         b = new int[n];
         local = new double[6 * n];
@@ -105,6 +112,7 @@ public final class PointNet {
             System.arraycopy(arms, 6 * k, local, 6 * p, 6);
             System.arraycopy(rowAxes, 9 * k, axes, 9 * p, 9);
         }
+        paths = new PathFactors(order.prior, a, b);
         arm = new double[6 * n];
         apart = new double[3 * n];
         gap = new double[3 * n];
@@ -112,7 +120,6 @@ public final class PointNet {
         before = new double[3 * n];
         after = new double[3 * n];
         missing = new double[3 * n];
-        solution = new double[3 * n];
         near = new double[3 * n];
         way = new double[3 * n];
         effect = new double[3 * n];
@@ -339,42 +346,37 @@ public final class PointNet {
      * Solves {@code (J M^-1 J^T + E) l = missing}; what l does is in the bodies' sums.
      *
      * @param yields share of a row's own inverse mass by which it yields
-     * @param isSame whether the poses are those of the last time
+     * @param isSame whether the poses are nearly those of the last time
+     * @param counts whether l is added to the impulses
      */
-    public void solve(double yields, boolean isSame) {
+    public void solve(double yields, boolean isSame, boolean counts) {
         slack = yields;
-        double left = 0;
-        for (double m : missing) {
-            left += m * m;
-        }
-        double goal = NEAR * left;
-        Arrays.fill(solution, 0.0);
         Arrays.fill(bodies.sum, 0.0);
-        double size = 1;
+        double left = isSame ? paths.sweep(this) : paths.factor(this, slack);
+        double goal = NEAR * left;
+        double last = 0;
         for (int round = 0; round < ROUNDS && left > goal; round++) {
-            if (round == 0 && !isSame) {
-                paths.factor(this, slack);
-            } else {
+            if (round > 0) {
                 paths.sweep(this);
             }
-            double next = paths.back(this);
-            direct(round == 0 ? 0 : next / size);
-            size = next;
-            double bend = effect();
+            double size = paths.back(this);
+            direct(round == 0 ? 0 : size / last);
+            last = size;
+            effect();
             if (!(bend > 0)) {
                 return;
             }
             double step = size / bend;
+            left += step * (step * squares - 2 * meets);
             double[] change = bodies.change;
             for (int r = 0; r < change.length; r++) {
                 bodies.sum[r] += step * change[r];
             }
-            left = 0;
-            for (int r = 0; r < way.length; r++) {
-                solution[r] += step * way[r];
-                double m = missing[r] - step * effect[r];
-                missing[r] = m;
-                left += m * m;
+            for (int r = 0; r < way.length && counts; r++) {
+                impulse[r] += step * way[r];
+            }
+            for (int r = 0; r < way.length && left > goal; r++) {
+                missing[r] -= step * effect[r];
             }
         }
     }
@@ -456,17 +458,27 @@ public final class PointNet {
         }
     }
 
-    /** What the way does to the rows; its share in the energy. */
-    private double effect() {
+    /** What the way does to the rows. */
+    private void effect() {
         speeds(bodies.change, effect);
-        double sum = 0;
+        double x = 0;
+        double y = 0;
+        double z = 0;
         for (int p = 0; p < joint.length; p++) {
             double e = slack * own[p];
-            for (int r = 3 * p; r < 3 * p + 3; r++) {
-                effect[r] += e * way[r];
-                sum += effect[r] * way[r];
-            }
+            int q = 3 * p;
+            double gx = effect[q] + e * way[q];
+            double gy = effect[q + 1] + e * way[q + 1];
+            double gz = effect[q + 2] + e * way[q + 2];
+            effect[q] = gx;
+            effect[q + 1] = gy;
+            effect[q + 2] = gz;
+            x += gx * way[q] + gy * way[q + 1] + gz * way[q + 2];
+            y += gx * missing[q] + gy * missing[q + 1] + gz * missing[q + 2];
+            z += gx * gx + gy * gy + gz * gz;
         }
-        return sum;
+        bend = x;
+        meets = y;
+        squares = z;
     }
 }
