@@ -52,6 +52,9 @@ final class NetSolve {
     /** Speed at which gaps are closed, m/s. */
     private double push;
 
+    /** Energy of motion that a half has begun with, J. */
+    private double motion;
+
     /** Halves of a step that the impulses in work are those of. */
     private double halves = 1;
 
@@ -173,8 +176,7 @@ final class NetSolve {
         if (!flows) {
             bodies.take(tick);
             multiply(net.before, 1, net.impulse);
-        } else if (halves == 1) {
-            multiply(net.impulse, 2, net.impulse);
+            net.apply(net.impulse);
         }
         halves = flows ? 2 : 1;
         bodies.kick(h);
@@ -184,18 +186,18 @@ final class NetSolve {
             react(1 / (halves * h), false);
         }
         bodies.move(tick);
-        double worst = net.follow();
-        net.follow(net.impulse);
+        double worst = net.follow(2 / halves);
         s.isFactored = false;
         flows = !isLast && !s.hasFactors && worst <= OPEN * s.size;
         if (flows) {
             return;
         }
-        multiply(net.impulse, 1 / halves, net.before);
+        multiply(net.impulse, 0.5, net.before);
         if (halves == 1) {
             net.follow(net.after);
         }
         multiply(halves > 1 ? net.before : net.after, 1, net.impulse);
+        net.apply(net.impulse);
         start(s.keeps ? JointWork.GAIN : Double.POSITIVE_INFINITY);
         solveVelocity(h);
         multiply(net.impulse, 1, net.after);
@@ -236,6 +238,7 @@ final class NetSolve {
         derive();
         net.bodies.take(tick);
         net.outward(net.before, net.impulse, scale);
+        net.apply(net.impulse);
         start(gain);
         net.bodies.give(tick);
     }
@@ -244,6 +247,7 @@ final class NetSolve {
     void position(double h, double gain) {
         derive();
         net.bodies.take(tick);
+        motion = net.bodies.kinetic();
         solvePosition(h, gain);
         net.bodies.give(tick);
         net.inward(net.impulse, net.before);
@@ -261,6 +265,7 @@ final class NetSolve {
         if (isWarm) {
             net.bodies.take(tick);
             net.outward(net.after, net.impulse, 1);
+            net.apply(net.impulse);
             start(gain);
             net.bodies.give(tick);
         } else {
@@ -281,19 +286,20 @@ final class NetSolve {
 
     // Both -----------------------------------------------------------------------------------------
 
-    /** Begins with the impulses in work, unless they add too much energy. */
+    /** Begins with the impulses in work, which have been applied, unless they add energy. */
     private void start(double gain) {
         double most = gain * net.bodies.kinetic();
-        net.apply(net.impulse);
-        net.bodies.add(net.bodies.change, 1);
-        if (!(net.bodies.kinetic() <= most)) {
+        net.bodies.add(1);
+        motion = net.bodies.kinetic();
+        if (!(motion <= most)) {
             release();
+            motion = net.bodies.kinetic();
         }
     }
 
     private void release() {
         net.apply(net.impulse);
-        net.bodies.add(net.bodies.change, -1);
+        net.bodies.add(-1);
         Arrays.fill(net.impulse, 0.0);
     }
 
@@ -306,24 +312,18 @@ final class NetSolve {
         }
     }
 
-    private void solve(double slack, boolean counts) {
-        net.solve(slack, s.isFactored, counts);
-        s.isFactored = true;
-    }
-
     private void correct() {
-        solve(SLACK, true);
-        net.bodies.add(net.bodies.sum, 1);
+        net.solve(SLACK, s.isFactored, true);
+        s.isFactored = true;
     }
 
     /** One round of Newton's method; how bodies will move then is foreseen. */
     private void solvePosition(double h, double gain) {
-        double most = gain * net.bodies.kinetic();
         net.bodies.foresee(tick, h);
         double worst = net.foresee(h, HoldingRows.tiny(false));
         if (!(worst <= CLOSED * s.size)) {
             correct();
-            if (!(net.bodies.kinetic() <= most)) {
+            if (!(net.bodies.kinetic() <= gain * motion)) {
                 release();
             }
             net.bodies.foresee(tick, h);
@@ -366,7 +366,7 @@ final class NetSolve {
             net.bodies.give(tick);
             inner.note(tick, s);
         }
-        solve(AssemblyEquations.SOFT, false);
+        net.solve(AssemblyEquations.SOFT, s.isFactored, false);
         shift(reach);
         s.isFresh = false;
         derive();

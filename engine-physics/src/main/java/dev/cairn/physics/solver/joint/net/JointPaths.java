@@ -17,6 +17,9 @@ public final class JointPaths {
     /** By place in that: the place of the joint before on its path, or -1 where that begins. */
     public final int[] prior;
 
+    /** Where each group of paths that lie side by side begins; one more for the end. */
+    public final int[] group;
+
     /** A path goes on where it turns by less than 60 degrees. */
     private static final double STRAIGHT = -0.5;
 
@@ -78,12 +81,14 @@ public final class JointPaths {
             }
             first[++paths] = done;
         }
+        group = new int[(paths + abreast - 1) / abreast + 1];
         lay(along, first, paths, abreast);
     }
 
     /** Lays paths side by side. */
     private void lay(int[] along, int[] first, int paths, int abreast) {
         int done = 0;
+        int groups = 0;
         for (int from = 0; from < paths; from += abreast) {
             int to = Math.min(paths, from + abreast);
             int[] last = new int[to - from];
@@ -98,6 +103,7 @@ public final class JointPaths {
                     }
                 }
             }
+            group[++groups] = done;
         }
     }
 

@@ -18,6 +18,8 @@ public final class NetBodies {
     /** Numbers to a body; six are used, of {@link #step} seven. */
     public static final int STRIDE = 8;
 
+    static final int WEIGHTS = 2;
+
     /** How many move. */
     public final int count;
 
@@ -27,9 +29,9 @@ public final class NetBodies {
     private final double[] taken;
 
     /** What impulses do: first their sums, then changes of velocity. */
-    public final double[] change;
+    final double[] change;
 
-    /** What a solution does. */
+    /** How a solution moves bodies aside. */
     public final double[] sum;
 
     /** Movement of a step, m, and the quaternion of its turn. */
@@ -38,17 +40,14 @@ public final class NetBodies {
     /** Rotation matrices, row by row. */
     final double[] turn;
 
-    /** Inverse mass and inertia, as often as there are numbers that they belong to. */
+    /** Inverse mass and inertia, {@link #WEIGHTS} to a body. */
     final double[] inverse;
 
-    /** Mass and inertia, in the same way, 0 if infinite. */
+    /** Mass and inertia, 0 if infinite. */
     private final double[] weight;
 
     /** What gravity, forces and torques add to velocities in a second. */
     private final double[] push;
-
-    /** Room for each component of an energy. */
-    private final double[] part = new double[STRIDE];
 
     private final int[] slot;
 
@@ -66,8 +65,8 @@ public final class NetBodies {
         for (int c = 0; c < 3; c++) {
             turn[9 * count + 4 * c] = 1;
         }
-        inverse = new double[n];
-        weight = new double[n];
+        inverse = new double[WEIGHTS * (count + 1)];
+        weight = new double[WEIGHTS * (count + 1)];
         push = new double[n];
     }
 
@@ -90,12 +89,10 @@ public final class NetBodies {
             push[at + 3] = spin * b.torqueX[i];
             push[at + 4] = spin * b.torqueY[i];
             push[at + 5] = spin * b.torqueZ[i];
-            for (int c = 0; c < 3; c++) {
-                inverse[at + c] = m;
-                inverse[at + 3 + c] = spin;
-                weight[at + c] = m > 0 ? 1 / m : 0;
-                weight[at + 3 + c] = spin > 0 ? 1 / spin : 0;
-            }
+            inverse[WEIGHTS * n] = m;
+            inverse[WEIGHTS * n + 1] = spin;
+            weight[WEIGHTS * n] = m > 0 ? 1 / m : 0;
+            weight[WEIGHTS * n + 1] = spin > 0 ? 1 / spin : 0;
         }
     }
 
@@ -145,27 +142,44 @@ public final class NetBodies {
 
     /** Makes changes of velocity of the impulses in {@link #change}. */
     void weigh() {
-        for (int r = 0; r < change.length; r++) {
-            change[r] *= inverse[r];
+        for (int n = 0; n <= count; n++) {
+            int at = STRIDE * n;
+            double m = inverse[WEIGHTS * n];
+            double spin = inverse[WEIGHTS * n + 1];
+            change[at] *= m;
+            change[at + 1] *= m;
+            change[at + 2] *= m;
+            change[at + 3] *= spin;
+            change[at + 4] *= spin;
+            change[at + 5] *= spin;
         }
     }
 
-    /** Adds a share of changes of velocity. */
-    public void add(double[] by, double share) {
-        for (int r = 0; r < velocity.length; r++) {
-            velocity[r] += share * by[r];
+    /** Adds a share of the changes to the velocities, or to the sum. */
+    void add(double share, double[] into) {
+        for (int r = 0; r < change.length; r++) {
+            into[r] += share * change[r];
         }
+    }
+
+    /** The same of all. */
+    public void add(double share) {
+        add(share, velocity);
     }
 
     /** Energy of motion, J. */
     public double kinetic() {
-        Arrays.fill(part, 0.0);
-        for (int at = 0; at < velocity.length; at += STRIDE) {
-            for (int c = 0; c < 6; c++) {
-                part[c] += weight[at + c] * velocity[at + c] * velocity[at + c];
-            }
+        double[] v = velocity;
+        double linear = 0;
+        double angular = 0;
+        for (int n = 0; n < count; n++) {
+            int at = STRIDE * n;
+            double x = v[at] * v[at] + v[at + 1] * v[at + 1] + v[at + 2] * v[at + 2];
+            double y = v[at + 3] * v[at + 3] + v[at + 4] * v[at + 4] + v[at + 5] * v[at + 5];
+            linear += weight[WEIGHTS * n] * x;
+            angular += weight[WEIGHTS * n + 1] * y;
         }
-        return 0.5 * (part[0] + part[1] + part[2] + (part[3] + part[4] + part[5]));
+        return 0.5 * (linear + angular);
     }
 
     /** Finds how a step of such a length will move the bodies. */

@@ -18,7 +18,7 @@ final class PathFactors {
 
     private final int[] next;
 
-    /** By place: the body that it shares with the one before; arms at that, its own and that's. */
+    /** By place: weights of the body that it shares with the one before; its arm, and that's. */
     private final int[] shared;
 
     private final int[] mine;
@@ -49,9 +49,10 @@ final class PathFactors {
             if (o >= 0) {
                 next[o] = p;
                 boolean isA = a[p] == a[o] || a[p] == b[o];
-                shared[p] = isA ? a[p] : b[p];
+                int body = isA ? a[p] : b[p];
+                shared[p] = NetBodies.WEIGHTS * (body / NetBodies.STRIDE);
                 mine[p] = 6 * p + (isA ? 0 : 3);
-                its[p] = 6 * o + (a[o] == shared[p] ? 0 : 3);
+                its[p] = 6 * o + (a[o] == body ? 0 : 3);
             }
         }
         link = new double[9 * n];
@@ -61,9 +62,10 @@ final class PathFactors {
     /**
      * Inverts what the joints of each path do to each other, and sweeps what is missing forth.
      *
+     * @param from place where a group of paths begins
      * @return the square of what is missing
      */
-    double factor(PointNet net, double slack) {
+    double factor(PointNet net, double slack, int from, int to) {
         int[] a = net.a;
         int[] b = net.b;
         double[] weights = net.bodies.inverse;
@@ -72,16 +74,18 @@ final class PathFactors {
         double[] near = net.near;
         double[] missing = net.missing;
         double left = 0;
-        for (int p = 0; p < prior.length; p++) {
+        for (int p = from; p < to; p++) {
             int o = 6 * p;
             int q = 3 * p;
             double gx = missing[q];
             double gy = missing[q + 1];
             double gz = missing[q + 2];
             left += gx * gx + gy * gy + gz * gz;
-            double m = weights[a[p]] + weights[b[p]];
-            double u = weights[a[p] + 3];
-            double v = weights[b[p] + 3];
+            int wa = NetBodies.WEIGHTS * (a[p] / NetBodies.STRIDE);
+            int wb = NetBodies.WEIGHTS * (b[p] / NetBodies.STRIDE);
+            double m = weights[wa] + weights[wb];
+            double u = weights[wa + 1];
+            double v = weights[wb + 1];
             double ax = arm[o];
             double ay = arm[o + 1];
             double az = arm[o + 2];
@@ -104,7 +108,7 @@ final class PathFactors {
                 int k = mine[p];
                 int j = its[p];
                 double sign = (k - o == 0) == (j - 6 * before == 0) ? 1 : -1;
-                double i = sign * weights[shared[p] + 3];
+                double i = sign * weights[shared[p] + 1];
                 double kx = arm[k];
                 double ky = arm[k + 1];
                 double kz = arm[k + 2];
@@ -180,11 +184,11 @@ final class PathFactors {
     }
 
     /** Sweeps what is missing forth; its square. */
-    double sweep(PointNet net) {
+    double sweep(PointNet net, int from, int to) {
         double[] near = net.near;
         double[] missing = net.missing;
         double left = 0;
-        for (int p = 0; p < prior.length; p++) {
+        for (int p = from; p < to; p++) {
             int o = 3 * p;
             double gx = missing[o];
             double gy = missing[o + 1];
@@ -207,11 +211,11 @@ final class PathFactors {
     }
 
     /** And back: what each path alone would do about what is missing; its size. */
-    double back(PointNet net) {
+    double back(PointNet net, int from, int to) {
         double[] near = net.near;
         double[] missing = net.missing;
         double size = 0;
-        for (int p = prior.length - 1; p >= 0; p--) {
+        for (int p = to - 1; p >= from; p--) {
             int o = 3 * p;
             int d = 6 * p;
             double fx = near[o];

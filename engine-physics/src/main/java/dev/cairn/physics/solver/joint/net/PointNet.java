@@ -26,7 +26,7 @@ public final class PointNet {
     private static final double NEAR = 1e-6;
 
     /** Paths that lie side by side. */
-    private static final int ABREAST = 64;
+    private static final int ABREAST = 8;
 
     private static final int STRIDE = NetBodies.STRIDE;
 
@@ -39,6 +39,9 @@ public final class PointNet {
     public final NetBodies bodies;
 
     private final PathFactors paths;
+
+    /** Where each group of paths begins; one more for the end. */
+    private final int[] group;
 
     /** By place: where the numbers of body A begin, and of body B. */
     final int[] a;
@@ -65,12 +68,11 @@ public final class PointNet {
     public final double[] before;
     public final double[] after;
 
-    /** By place: what is missing; room for the directions of the rounds. */
+    /** By place: what is missing; the direction that is sought, and the last one. */
     public final double[] missing;
 
-    final double[] near;
-    final double[] way;
-    final double[] effect;
+    double[] near;
+    private double[] way;
 
     /** Share of a row's own inverse mass by which it yields. */
     private double slack;
@@ -101,6 +103,7 @@ public final class PointNet {
                         ? new JointPaths(slots.length, end, arms, ABREAST)
                         : new JointPaths(0, new int[0], arms, 1);
         joint = order.joint;
+        group = order.group;
         a = new int[n];
         b = new int[n];
         local = new double[6 * n];
@@ -122,7 +125,6 @@ public final class PointNet {
         missing = new double[3 * n];
         near = new double[3 * n];
         way = new double[3 * n];
-        effect = new double[3 * n];
         own = new double[n];
     }
 
@@ -262,13 +264,16 @@ public final class PointNet {
     }
 
     /**
-     * The bodies have made the step that was foreseen: arms and gaps go with them.
+     * The bodies have made the step that was foreseen: arms, gaps and impulses go with them; what
+     * these do is in the bodies' changes.
      *
+     * @param factor on the impulses
      * @return the largest gap, m
      */
-    public double follow() {
+    public double follow(double factor) {
         double[] s = bodies.step;
         double worst = 0;
+        Arrays.fill(bodies.change, 0.0);
         for (int p = 0; p < joint.length; p++) {
             int o = 6 * p;
             int q = 3 * p;
@@ -316,11 +321,25 @@ public final class PointNet {
                     Math.max(
                             worst,
                             Math.max(Math.abs(mx), Math.max(Math.abs(my), Math.abs(mz))));
+            rx = factor * impulse[q];
+            ry = factor * impulse[q + 1];
+            rz = factor * impulse[q + 2];
+            tx = 2 * (dy * rz - dz * ry);
+            ty = 2 * (dz * rx - dx * rz);
+            tz = 2 * (dx * ry - dy * rx);
+            rx += w * tx + (dy * tz - dz * ty);
+            ry += w * ty + (dz * tx - dx * tz);
+            rz += w * tz + (dx * ty - dy * tx);
+            impulse[q] = rx;
+            impulse[q + 1] = ry;
+            impulse[q + 2] = rz;
+            push(p, rx, ry, rz);
         }
+        bodies.weigh();
         return worst;
     }
 
-    /** The same of impulses: they go with A. */
+    /** Impulses go with A in the same way. */
     public void follow(double[] last) {
         double[] s = bodies.step;
         for (int p = 0; p < joint.length; p++) {
@@ -343,81 +362,95 @@ public final class PointNet {
     }
 
     /**
-     * Solves {@code (J M^-1 J^T + E) l = missing}; what l does is in the bodies' sums.
+     * Solves {@code (J M^-1 J^T + E) l = missing}.
      *
      * @param yields share of a row's own inverse mass by which it yields
      * @param isSame whether the poses are nearly those of the last time
-     * @param counts whether l is added to the impulses
+     * @param counts whether l is added to the impulses, and what it does to the velocities; else
+     *     that is the bodies' sum
      */
     public void solve(double yields, boolean isSame, boolean counts) {
         slack = yields;
-        Arrays.fill(bodies.sum, 0.0);
-        double left = isSame ? paths.sweep(this) : paths.factor(this, slack);
+        Arrays.fill(bodies.change, 0.0);
+        double left = 0;
+        double size = 0;
+        // numbers of a group stay in the cache
+        for (int g = 0; g + 1 < group.length; g++) {
+            int from = group[g];
+            int to = group[g + 1];
+            left +=
+                    isSame
+                            ? paths.sweep(this, from, to)
+                            : paths.factor(this, slack, from, to);
+            size += paths.back(this, from, to);
+            push(near, from, to);
+        }
+        bodies.weigh();
+        if (!counts) {
+            Arrays.fill(bodies.sum, 0.0);
+        }
         double goal = NEAR * left;
-        double last = 0;
         for (int round = 0; round < ROUNDS && left > goal; round++) {
             if (round > 0) {
-                paths.sweep(this);
+                double last = size;
+                paths.sweep(this, 0, joint.length);
+                size = paths.back(this, 0, joint.length);
+                double turned = size / last;
+                for (int r = 0; r < way.length; r++) {
+                    near[r] += turned * way[r];
+                }
+                apply(near);
             }
-            double size = paths.back(this);
-            direct(round == 0 ? 0 : size / last);
-            last = size;
-            effect();
+            double[] now = near;
+            near = way;
+            way = now;
+            effect(0);
             if (!(bend > 0)) {
                 return;
             }
             double step = size / bend;
-            left += step * (step * squares - 2 * meets);
-            double[] change = bodies.change;
-            for (int r = 0; r < change.length; r++) {
-                bodies.sum[r] += step * change[r];
-            }
+            bodies.add(step, counts ? bodies.velocity : bodies.sum);
             for (int r = 0; r < way.length && counts; r++) {
                 impulse[r] += step * way[r];
             }
-            for (int r = 0; r < way.length && left > goal; r++) {
-                missing[r] -= step * effect[r];
+            left += step * (step * squares - 2 * meets);
+            if (left > goal) {
+                effect(step);
             }
         }
-    }
-
-    /** The next direction: what paths want, and a share of the last one. */
-    private void direct(double turned) {
-        if (turned == 0) {
-            System.arraycopy(near, 0, way, 0, way.length);
-        } else {
-            for (int r = 0; r < way.length; r++) {
-                way[r] = near[r] + turned * way[r];
-            }
-        }
-        apply(way);
     }
 
     /** What impulses do to the bodies' velocities. */
     public void apply(double[] l) {
-        double[] change = bodies.change;
-        Arrays.fill(change, 0.0);
-        for (int p = 0; p < joint.length; p++) {
-            int i = a[p];
-            int k = b[p];
-            int o = 6 * p;
-            double x = l[3 * p];
-            double y = l[3 * p + 1];
-            double z = l[3 * p + 2];
-            change[i] -= x;
-            change[i + 1] -= y;
-            change[i + 2] -= z;
-            change[i + 3] -= arm[o + 1] * z - arm[o + 2] * y;
-            change[i + 4] -= arm[o + 2] * x - arm[o] * z;
-            change[i + 5] -= arm[o] * y - arm[o + 1] * x;
-            change[k] += x;
-            change[k + 1] += y;
-            change[k + 2] += z;
-            change[k + 3] += arm[o + 4] * z - arm[o + 5] * y;
-            change[k + 4] += arm[o + 5] * x - arm[o + 3] * z;
-            change[k + 5] += arm[o + 3] * y - arm[o + 4] * x;
-        }
+        Arrays.fill(bodies.change, 0.0);
+        push(l, 0, joint.length);
         bodies.weigh();
+    }
+
+    private void push(double[] l, int from, int to) {
+        for (int p = from; p < to; p++) {
+            push(p, l[3 * p], l[3 * p + 1], l[3 * p + 2]);
+        }
+    }
+
+    /** Adds an impulse of a joint to its bodies' changes. */
+    private void push(int p, double x, double y, double z) {
+        double[] change = bodies.change;
+        int i = a[p];
+        int k = b[p];
+        int o = 6 * p;
+        change[i] -= x;
+        change[i + 1] -= y;
+        change[i + 2] -= z;
+        change[i + 3] -= arm[o + 1] * z - arm[o + 2] * y;
+        change[i + 4] -= arm[o + 2] * x - arm[o] * z;
+        change[i + 5] -= arm[o] * y - arm[o + 1] * x;
+        change[k] += x;
+        change[k + 1] += y;
+        change[k + 2] += z;
+        change[k + 3] += arm[o + 4] * z - arm[o + 5] * y;
+        change[k + 4] += arm[o + 5] * x - arm[o + 3] * z;
+        change[k + 5] += arm[o + 3] * y - arm[o + 4] * x;
     }
 
     /**
@@ -426,56 +459,52 @@ public final class PointNet {
      * @return the largest, m/s
      */
     public double speeds() {
-        speeds(bodies.velocity, missing);
+        double[] v = bodies.velocity;
         double worst = 0;
-        for (int r = 0; r < missing.length; r++) {
-            worst = Math.max(worst, Math.abs(missing[r]));
-            missing[r] = -missing[r];
+        for (int p = 0; p < joint.length; p++) {
+            int i = a[p];
+            int k = b[p];
+            double x = speed(v, i, k, 6 * p, 0, 1, 2);
+            double y = speed(v, i, k, 6 * p, 1, 2, 0);
+            double z = speed(v, i, k, 6 * p, 2, 0, 1);
+            worst = Math.max(worst, Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))));
+            missing[3 * p] = -x;
+            missing[3 * p + 1] = -y;
+            missing[3 * p + 2] = -z;
         }
         return worst;
     }
 
-    private void speeds(double[] v, double[] into) {
-        for (int p = 0; p < joint.length; p++) {
-            int i = a[p];
-            int k = b[p];
-            int o = 6 * p;
-            into[3 * p] =
-                    v[k]
-                            - v[i]
-                            + (v[k + 4] * arm[o + 5] - v[k + 5] * arm[o + 4])
-                            - (v[i + 4] * arm[o + 2] - v[i + 5] * arm[o + 1]);
-            into[3 * p + 1] =
-                    v[k + 1]
-                            - v[i + 1]
-                            + (v[k + 5] * arm[o + 3] - v[k + 3] * arm[o + 5])
-                            - (v[i + 5] * arm[o] - v[i + 3] * arm[o + 2]);
-            into[3 * p + 2] =
-                    v[k + 2]
-                            - v[i + 2]
-                            + (v[k + 3] * arm[o + 4] - v[k + 4] * arm[o + 3])
-                            - (v[i + 3] * arm[o + 1] - v[i + 4] * arm[o]);
-        }
+    /** Speed of a joint's row along axis c by velocities; d and e are the other axes. */
+    private double speed(double[] v, int i, int k, int o, int c, int d, int e) {
+        return v[k + c]
+                - v[i + c]
+                + (v[k + 3 + d] * arm[o + 3 + e] - v[k + 3 + e] * arm[o + 3 + d])
+                - (v[i + 3 + d] * arm[o + e] - v[i + 3 + e] * arm[o + d]);
     }
 
-    /** What the way does to the rows. */
-    private void effect() {
-        speeds(bodies.change, effect);
+    /** What the way does to the rows; a share of that is taken from what is missing. */
+    private void effect(double share) {
+        double[] v = bodies.change;
         double x = 0;
         double y = 0;
         double z = 0;
         for (int p = 0; p < joint.length; p++) {
-            double e = slack * own[p];
+            int i = a[p];
+            int k = b[p];
             int q = 3 * p;
-            double gx = effect[q] + e * way[q];
-            double gy = effect[q + 1] + e * way[q + 1];
-            double gz = effect[q + 2] + e * way[q + 2];
-            effect[q] = gx;
-            effect[q + 1] = gy;
-            effect[q + 2] = gz;
+            double e = slack * own[p];
+            double gx = speed(v, i, k, 6 * p, 0, 1, 2) + e * way[q];
+            double gy = speed(v, i, k, 6 * p, 1, 2, 0) + e * way[q + 1];
+            double gz = speed(v, i, k, 6 * p, 2, 0, 1) + e * way[q + 2];
             x += gx * way[q] + gy * way[q + 1] + gz * way[q + 2];
             y += gx * missing[q] + gy * missing[q + 1] + gz * missing[q + 2];
             z += gx * gx + gy * gy + gz * gz;
+            if (share != 0) {
+                missing[q] -= share * gx;
+                missing[q + 1] -= share * gy;
+                missing[q + 2] -= share * gz;
+            }
         }
         bend = x;
         meets = y;
