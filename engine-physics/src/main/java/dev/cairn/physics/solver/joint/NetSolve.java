@@ -148,7 +148,7 @@ final class NetSolve {
     void end() {
         s.judge(isOpen());
         if (flies) {
-            net.derive(tick);
+            net.bodies.look(tick);
             net.inward(net.before, net.before);
             net.inward(net.after, net.after);
             flies = false;

@@ -220,7 +220,7 @@ public final class NetBodies {
     }
 
     /** Rotation matrices of now, and into {@link #change} where the bodies are. */
-    void look(SolverContext tick) {
+    public void look(SolverContext tick) {
         BodyStore b = tick.bodies;
         for (int n = 0; n < count; n++) {
             int i = slot[n];

@@ -98,7 +98,7 @@ final class PathFactors {
             double xy = -u * ax * ay - v * bx * by;
             double xz = -u * ax * az - v * bx * bz;
             double yz = -u * ay * az - v * by * bz;
-            own[p] = (xx + yy + zz) / 3;
+            own[p] = (xx + yy + zz) * (1 / 3.0);
             double e = slack * own[p];
             xx += e;
             yy += e;

@@ -26,7 +26,7 @@ public final class PointNet {
     private static final double NEAR = 1e-6;
 
     /** Paths that lie side by side. */
-    private static final int ABREAST = 8;
+    private static final int ABREAST = 32;
 
     private static final int STRIDE = NetBodies.STRIDE;
 
