@@ -252,10 +252,7 @@ public final class PointNet {
             mx += w * tx + (dy * tz - dz * ty);
             my += w * ty + (dz * tx - dx * tz);
             mz += w * tz + (dx * ty - dy * tx);
-            worst =
-                    Math.max(
-                            worst,
-                            Math.max(Math.abs(mx), Math.max(Math.abs(my), Math.abs(mz))));
+            worst = Math.max(worst, largest(mx, my, mz));
             missing[q] = scale * mx;
             missing[q + 1] = scale * my;
             missing[q + 2] = scale * mz;
@@ -317,10 +314,7 @@ public final class PointNet {
             gap[q] = mx;
             gap[q + 1] = my;
             gap[q + 2] = mz;
-            worst =
-                    Math.max(
-                            worst,
-                            Math.max(Math.abs(mx), Math.max(Math.abs(my), Math.abs(mz))));
+            worst = Math.max(worst, largest(mx, my, mz));
             rx = factor * impulse[q];
             ry = factor * impulse[q + 1];
             rz = factor * impulse[q + 2];
@@ -378,10 +372,7 @@ public final class PointNet {
         for (int g = 0; g + 1 < group.length; g++) {
             int from = group[g];
             int to = group[g + 1];
-            left +=
-                    isSame
-                            ? paths.sweep(this, from, to)
-                            : paths.factor(this, slack, from, to);
+            left += isSame ? paths.sweep(this, from, to) : paths.factor(this, slack, from, to);
             size += paths.back(this, from, to);
             push(near, from, to);
         }
@@ -467,12 +458,16 @@ public final class PointNet {
             double x = speed(v, i, k, 6 * p, 0, 1, 2);
             double y = speed(v, i, k, 6 * p, 1, 2, 0);
             double z = speed(v, i, k, 6 * p, 2, 0, 1);
-            worst = Math.max(worst, Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))));
+            worst = Math.max(worst, largest(x, y, z));
             missing[3 * p] = -x;
             missing[3 * p + 1] = -y;
             missing[3 * p + 2] = -z;
         }
         return worst;
+    }
+
+    private static double largest(double x, double y, double z) {
+        return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
     }
 
     /** Speed of a joint's row along axis c by velocities; d and e are the other axes. */
