@@ -104,14 +104,11 @@ public final class Rotation {
         if (square <= TINY) {
             return 1 - square * (0.5 - square * (1 / 24.0 - square * (1 / 720.0)));
         }
-        return square <= SMALL * SMALL
-                ? 1 + square * cosSeries(square)
-                : cos(Math.sqrt(square));
+        return square <= SMALL * SMALL ? 1 + square * cosSeries(square) : cos(Math.sqrt(square));
     }
 
     /** Turns the orientation of body {@code i} by the quaternion of a turn, w last. */
-    public static void turn(
-            BodyStore bodies, int i, double dx, double dy, double dz, double dw) {
+    public static void turn(BodyStore bodies, int i, double dx, double dy, double dz, double dw) {
         double qx = bodies.orientationX[i];
         double qy = bodies.orientationY[i];
         double qz = bodies.orientationZ[i];

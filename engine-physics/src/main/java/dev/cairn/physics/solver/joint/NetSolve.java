@@ -160,7 +160,8 @@ final class NetSolve {
         }
     }
 
-    // What touches nothing -------------------------------------------------------------------------
+    // What touches nothing
+    // -------------------------------------------------------------------------
 
     /**
      * A step of what touches nothing.
@@ -231,7 +232,8 @@ final class NetSolve {
         }
     }
 
-    // With contacts --------------------------------------------------------------------------------
+    // With contacts
+    // --------------------------------------------------------------------------------
 
     /** The impulses of the last sub-step, unless they add too much energy. */
     void warm(double scale, double gain) {
@@ -284,7 +286,8 @@ final class NetSolve {
         }
     }
 
-    // Both -----------------------------------------------------------------------------------------
+    // Both
+    // -----------------------------------------------------------------------------------------
 
     /** Begins with the impulses in work, which have been applied, unless they add energy. */
     private void start(double gain) {
@@ -398,8 +401,7 @@ final class NetSolve {
                 v[p + c] += part * x[at + c];
                 v[p + 3 + c] += root > 0 ? part * x[at + 3 + c] / root : 0;
             }
-            Rotation.turn(
-                    tick.bodies, i, part * x[at + 3], part * x[at + 4], part * x[at + 5]);
+            Rotation.turn(tick.bodies, i, part * x[at + 3], part * x[at + 4], part * x[at + 5]);
         }
     }
 }
