@@ -98,10 +98,8 @@ public final class PointNet {
         this.isPoints = isPoints;
         bodies = new NetBodies(isPoints ? slots : new int[0]);
         int n = isPoints ? end.length / 2 : 0;
-        JointPaths order =
-                isPoints
-                        ? new JointPaths(slots.length, end, arms, ABREAST)
-                        : new JointPaths(0, new int[0], arms, 1);
+        int[] ends = isPoints ? end : new int[0];
+        JointPaths order = new JointPaths(bodies.count, ends, arms, ABREAST);
         joint = order.joint;
         group = order.group;
         a = new int[n];
@@ -150,31 +148,25 @@ public final class PointNet {
 
     /** Turns impulses in the axes of A into those of the world, times a factor. */
     public void outward(double[] from, double[] into, double scale) {
-        double[] turn = bodies.turn;
-        for (int p = 0; p < joint.length; p++) {
-            int o = 9 * (a[p] / STRIDE);
-            int q = 3 * p;
-            double x = scale * from[q];
-            double y = scale * from[q + 1];
-            double z = scale * from[q + 2];
-            into[q] = turn[o] * x + turn[o + 1] * y + turn[o + 2] * z;
-            into[q + 1] = turn[o + 3] * x + turn[o + 4] * y + turn[o + 5] * z;
-            into[q + 2] = turn[o + 6] * x + turn[o + 7] * y + turn[o + 8] * z;
-        }
+        turn(from, into, scale, 1, 3);
     }
 
     /** The way back. */
     public void inward(double[] from, double[] into) {
+        turn(from, into, 1, 3, 1);
+    }
+
+    private void turn(double[] from, double[] into, double scale, int column, int row) {
         double[] turn = bodies.turn;
         for (int p = 0; p < joint.length; p++) {
-            int o = 9 * (a[p] / STRIDE);
             int q = 3 * p;
-            double x = from[q];
-            double y = from[q + 1];
-            double z = from[q + 2];
-            into[q] = turn[o] * x + turn[o + 3] * y + turn[o + 6] * z;
-            into[q + 1] = turn[o + 1] * x + turn[o + 4] * y + turn[o + 7] * z;
-            into[q + 2] = turn[o + 2] * x + turn[o + 5] * y + turn[o + 8] * z;
+            double x = scale * from[q];
+            double y = scale * from[q + 1];
+            double z = scale * from[q + 2];
+            for (int c = 0; c < 3; c++) {
+                int o = 9 * (a[p] / STRIDE) + c * row;
+                into[q + c] = turn[o] * x + turn[o + column] * y + turn[o + 2 * column] * z;
+            }
         }
     }
 
