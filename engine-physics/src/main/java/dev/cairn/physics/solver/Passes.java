@@ -262,7 +262,7 @@ final class Passes {
             double h = paced ? body.pace[tick.order[k]] * sub.seconds : sub.seconds;
             Motion.drift(tick.bodies, body, tick.order[k], g[0], g[1], g[2], h);
             if (!refresh.hasRenewedRow(tick.order[k])) {
-                refresh.turnedFar(body, tick.bodies, tick.order[k], sub.seconds);
+                Motion.renewRoot(tick.bodies, body, tick.order[k], sub.seconds);
             }
         }
         for (int k = from; k < to; k++) {

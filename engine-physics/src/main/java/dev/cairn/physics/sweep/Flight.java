@@ -59,6 +59,9 @@ public final class Flight {
     private final double[] turned = new double[3];
     private final double[] turn = new double[7];
 
+    /** Spin, rad/s, from which on rounding leaves nothing of how a body lies: it is not turned. */
+    private static final double UNKNOWN = 1e14;
+
     /** How it turns, unless at a constant rate. */
     private @Nullable FreeRotationPath free;
 
@@ -91,7 +94,7 @@ public final class Flight {
     public void begin(double reach, boolean isBall) {
         double lever = Math.sqrt(leverX * leverX + leverY * leverY + leverZ * leverZ);
         double w = Math.sqrt(wx * wx + wy * wy + wz * wz);
-        boolean turns = w > 0 && !(isBall && lever == 0);
+        boolean turns = w > 0 && w < UNKNOWN && !(isBall && lever == 0);
         spin = turns ? w : 0;
         radius = turns ? lever + (isBall ? 0 : reach) : 0;
         swing = 0;
@@ -113,7 +116,8 @@ public final class Flight {
      * @param until how long it is looked at, s
      */
     public void tumbles(FreeRotationPath turning, double until) {
-        if (spin == 0) {
+        if (spin == 0 || !(turning.most() < UNKNOWN)) {
+            spin = radius = 0;
             return;
         }
         spin = turning.most();

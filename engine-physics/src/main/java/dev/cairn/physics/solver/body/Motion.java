@@ -10,6 +10,9 @@ import dev.cairn.physics.internal.BodyStore;
 
 /** Integrators of one body: flight, kick, drift. */
 public final class Motion {
+    /** Turn in a sub-step, rad, after which no root of before tells the energy. */
+    private static final double SPUN = 0.3;
+
     private Motion() {}
 
     /**
@@ -305,6 +308,32 @@ public final class Motion {
         s.mark[m] += w[o] - u;
         s.mark[m + 1] += w[o + 1] - v;
         s.mark[m + 2] += w[o + 2] - t;
+    }
+
+    /**
+     * Gives a body whose rows stay as they are the root of its present inertia, once it turns so far
+     * within a sub-step that energy would no longer be half a square in the old one.
+     *
+     * @param h length of the sub-step, s
+     */
+    public static void renewRoot(BodyStore b, SolverBodies s, int i, double h) {
+        if (s.axes.isIsotropic(i) || !s.turnsFaster(i, SPUN / h)) {
+            return;
+        }
+        int o = SolverBodies.offset(i) + V + 3;
+        int w = (i + 1) * SolverBodies.HALF + 3;
+        double x = s.world(i, o, 0);
+        double y = s.world(i, o, 1);
+        double z = s.world(i, o, 2);
+        // what the contacts have given so far stays
+        for (int c = 0; c < 3; c++) {
+            s.mark[w + c] -= s.state[o + c];
+        }
+        s.rootOfInertia(b, i, s.state[SolverBodies.offset(i) + GRAVITY]);
+        s.weigh(i, x, y, z);
+        for (int c = 0; c < 3; c++) {
+            s.mark[w + c] += s.state[o + c];
+        }
     }
 
     /** End of a sub-step: what the contacts have done is the next warm start. */

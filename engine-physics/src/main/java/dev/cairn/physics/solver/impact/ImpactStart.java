@@ -75,6 +75,10 @@ public final class ImpactStart {
         int w = o + SolverBodies.V + 3;
         int k = (slot + 1) * SolverBodies.ROOT;
         double twice = square(v, w);
+        if (!(twice < Double.POSITIVE_INFINITY)) {
+            // such a body is stopped when the step ends
+            return;
+        }
         bodies.momentum(slot, momentum);
         for (int c = 0; c < 3; c++) {
             spin[c] = bodies.world(slot, w, c);

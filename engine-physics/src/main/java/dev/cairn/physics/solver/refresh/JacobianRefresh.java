@@ -52,9 +52,6 @@ public final class JacobianRefresh {
     /** Turn in a sub-step, rad, after which the root of a body that stood still is not its own. */
     private static final double STRUCK = 0.05;
 
-    /** Turn in a sub-step, rad, after which no root of before tells the energy. */
-    private static final double SPUN = 0.3;
-
     /** Numbers to a row in {@link #kept}. */
     private static final int KEPT = RefreshRow.RECORD;
 
@@ -295,30 +292,6 @@ public final class JacobianRefresh {
             Arrays.fill(s.warm, w, w + 6, 0.0);
         }
         turned(b, i);
-    }
-
-    /**
-     * Gives a body whose rows stay as they are the root of its present inertia, once it turns so
-     * far within a sub-step that energy would no longer be half a square in the old one.
-     */
-    public void turnedFar(SolverBodies s, BodyStore b, int i, double seconds) {
-        if (s.axes.isIsotropic(i) || !s.turnsFaster(i, SPUN / seconds)) {
-            return;
-        }
-        int o = SolverBodies.offset(i) + 3;
-        int w = (i + 1) * SolverBodies.HALF + 3;
-        double x = s.world(i, o, 0);
-        double y = s.world(i, o, 1);
-        double z = s.world(i, o, 2);
-        // what the contacts have given so far stays
-        for (int c = 0; c < 3; c++) {
-            s.mark[w + c] -= s.state[o + c];
-        }
-        s.rootOfInertia(b, i, s.state[SolverBodies.offset(i) + SolverBodies.GRAVITY]);
-        s.weigh(i, x, y, z);
-        for (int c = 0; c < 3; c++) {
-            s.mark[w + c] += s.state[o + c];
-        }
     }
 
     /** {@code q q0^-1} as a matrix. */
