@@ -9,6 +9,7 @@ import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.direct.DirectIslands;
 import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.BouncingContacts;
+import dev.cairn.physics.solver.impact.ImpactStart;
 import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.kernel.Rescaling;
@@ -247,11 +248,7 @@ final class Passes {
         }
     }
 
-    /**
-     * Moves bodies.
-     *
-     * @param paced whether each moves by a share of the sub-step, {@link SolverBodies#pace}
-     */
+    /** Moves bodies, each by a share of the sub-step if paced: {@link SolverBodies#pace}. */
     void drift(SubStep sub, int from, int to, boolean paced) {
         double[] g = tick.gravity;
         // in three loops: a turn is one long chain, and short bodies of a loop overlap
@@ -427,10 +424,7 @@ final class Passes {
      */
     void impacts(
             SubStep sub, int batch, int head, int tail, int from, int to, WorkerScratch local) {
-        for (int k = head; k < tail; k++) {
-            body.impactTime[tick.order[k]] = 0;
-            body.shifted[tick.order[k]] = false;
-        }
+        ImpactStart.forget(tick, head, tail);
         if (local.impacts.run(
                 tick,
                 rows,
@@ -440,10 +434,8 @@ final class Passes {
                 bouncing.to(batch),
                 sub.seconds,
                 jointed)) {
+            local.start.fit(tick, head, tail);
             for (int k = head; k < tail; k++) {
-                if (body.shifted[tick.order[k]]) {
-                    local.start.fit(tick.bodies, body, tick.order[k]);
-                }
                 round(tick.order[k]);
             }
             one.separate(rows, body, from, to);

@@ -311,8 +311,8 @@ public final class Motion {
     }
 
     /**
-     * Gives a body whose rows stay as they are the root of its present inertia, once it turns so far
-     * within a sub-step that energy would no longer be half a square in the old one.
+     * Gives a body whose rows stay as they are the root of its present inertia, once it turns so
+     * far within a sub-step that energy would no longer be half a square in the old one.
      *
      * @param h length of the sub-step, s
      */

@@ -4,6 +4,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.solver.body.MotionRecord;
 import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.body.SolverContext;
 
 /**
  * Moves the start of a body's path after an impact within a sub-step.
@@ -21,6 +22,25 @@ public final class ImpactStart {
     private static final double MISS = 0.3;
 
     private final double[] momentum = new double[3], spin = new double[3];
+
+    /**
+     * Start of a sub-step, before its impacts; bodies of a batch in {@link SolverContext#order}.
+     */
+    public static void forget(SolverContext tick, int head, int tail) {
+        for (int k = head; k < tail; k++) {
+            tick.body.impactTime[tick.order[k]] = 0;
+            tick.body.shifted[tick.order[k]] = false;
+        }
+    }
+
+    /** Fits those whose start was moved, after the impacts. */
+    public void fit(SolverContext tick, int head, int tail) {
+        for (int k = head; k < tail; k++) {
+            if (tick.body.shifted[tick.order[k]]) {
+                fit(tick.bodies, tick.body, tick.order[k]);
+            }
+        }
+    }
 
     /**
      * Moves the start of the path of a moving body.
