@@ -416,12 +416,7 @@ final class Passes {
         return Impacts.isFast(tick, sides, head, tail);
     }
 
-    /**
-     * Impacts at the start of a sub-step.
-     *
-     * @param head first body of the batch
-     * @param from first place of its contacts
-     */
+    /** Impacts of a batch at the start of a sub-step: its bodies, and places of its contacts. */
     void impacts(
             SubStep sub, int batch, int head, int tail, int from, int to, WorkerScratch local) {
         ImpactStart.forget(tick, head, tail);
