@@ -54,27 +54,23 @@ final class LawsTest {
     }
 
     /**
-     * Small worlds of the corners whose energy holds: in a house and in a room those without
-     * restitution and without bodies that turn by more than 3 rad a tick; in space, where a hit may
-     * gain up to 2e-3, all other laws. Without contacts that are solved with joints, two machines
-     * have gaps, up to 0.18. Without the bound by island 3 of 300 in a house, 17 of 300 in a room
-     * and 6 of 300 in space gain, up to 1700 times what they had.
+     * Small worlds, whatever they do; of machines those without restitution (one of 800 with it
+     * opens a hinge by 0.02 for a moment). Without the bound by island 3 of 300 in a house, 17 of
+     * 300 in a room and 6 of 300 in space gain, up to 1700 times what they had.
      */
     @ParameterizedTest(name = "{0}, seed 2")
     @CsvSource({"HOUSE, 2500", "ROOM, 2500", "SPACE, 2500", "LEVEL, 800", "MACHINE, 800"})
     void energyAndMomentumAreKept(Family family, int worlds) {
         for (int i = 0; i < worlds; i++) {
             FuzzWorld fuzz = WorldGenerator.world(SEED + 1, i, family);
-            if (fuzz.movers() < 6 && holds(fuzz)) {
+            if (fuzz.movers() < 6 && (family != Family.MACHINE || !bounces(fuzz))) {
                 // machines fall from higher up
                 int ticks = family == Family.MACHINE ? 120 : 60;
                 FuzzWorld brief = fuzz.lasting(ticks, fuzz.scene().tick().substeps());
                 Map<Law, Breach> broken = Laws.broken(brief, false);
                 for (Law law : KEPT) {
                     Breach breach = broken.get(law);
-                    boolean known = law == Law.ENERGY && family == Family.SPACE;
-                    assertTrue(
-                            breach == null || known, () -> "world " + fuzz.index() + ": " + breach);
+                    assertNull(breach, () -> "world " + fuzz.index());
                 }
             }
         }
@@ -169,12 +165,15 @@ final class LawsTest {
         }
     }
 
-    /** What spins and bounces, or turns more than once a tick, gains: {@code docs/laws.md}. */
-    private static boolean holds(FuzzWorld fuzz) {
-        return fuzz.scene().entities().stream()
-                .allMatch(e ->
-                        e.material().restitution() == 0
-                                && Extent.length(e.angularVelocity()) < MOST_SPIN);
+    private static boolean bounces(FuzzWorld fuzz) {
+        return fuzz.scene().entities().stream().anyMatch(e -> e.material().restitution() > 0);
+    }
+
+    /** What spins and bounces, or turns more than once a tick, may gain: {@code docs/laws.md}. */
+    private static boolean mayGain(FuzzWorld fuzz) {
+        return bounces(fuzz)
+                || fuzz.scene().entities().stream()
+                        .anyMatch(e -> Extent.length(e.angularVelocity()) >= MOST_SPIN);
     }
 
     /** As above, for long and with more bodies. */
@@ -189,7 +188,7 @@ final class LawsTest {
                 Breach breach = broken.get(law);
                 assertTrue(
                         breach == null
-                                || (law == Law.ENERGY && (family == Family.SPACE || !holds(fuzz))),
+                                || (law == Law.ENERGY && (family == Family.SPACE || mayGain(fuzz))),
                         () -> "world " + fuzz.index() + ": " + breach);
             }
         }
