@@ -62,12 +62,6 @@ final class IslandEnergy {
     /** Turn in a sub-step, rad, up to which levers are right enough. */
     private static final double FAR = 0.05;
 
-    /** Turn in a sub-step, rad, from which on the movement itself is bounded. */
-    private static final double SPUN = 0.3;
-
-    /** Energy of the movement over that without contacts, at most. */
-    private static final double PACED = 1;
-
     /** Numbers to an island, at its smallest slot. */
     private static final int STRIDE = 28;
 
@@ -173,24 +167,25 @@ final class IslandEnergy {
      * Before bodies move: how much of the sub-step each of them moves, 1 for nearly all. What a
      * bias pass gives to an island that turns far is not all taken back, and a movement is energy,
      * too: a needle of a micrometre was put up by 7 mm in one tick. So the island moves no farther
-     * than with 1.5 times the energy that it has without contacts.
+     * than with the energy that it has without contacts.
      */
     void pace(SolverContext tick, int head, int tail) {
         double[] pace = tick.body.pace;
         boolean any = false;
         for (int k = head; k < tail; k++) {
-            any |= tick.body.turnsFaster(tick.order[k], SPUN / tick.subStep);
+            any |= tick.body.turnsFar(tick.order[k], tick.subStep);
             pace[tick.order[k]] = 1;
         }
         if (!any) {
             return;
         }
         sum(tick, head, tail);
+        double far = SolverBodies.FAR_TURN * SolverBodies.FAR_TURN;
         for (int k = head; k < tail; k++) {
             int i = tick.order[k];
             int at = STRIDE * islands.root(i);
-            double most = PACED * sums[at + FREE];
-            if (sums[at + TURN] > SPUN * SPUN && sums[at + NOW] > most) {
+            double most = sums[at + FREE];
+            if (sums[at + TURN] > far && sums[at + NOW] > most) {
                 pace[i] = Math.sqrt(most / sums[at + NOW]);
             }
         }

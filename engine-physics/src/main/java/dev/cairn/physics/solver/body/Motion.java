@@ -10,9 +10,6 @@ import dev.cairn.physics.internal.BodyStore;
 
 /** Integrators of one body: flight, kick, drift. */
 public final class Motion {
-    /** Turn in a sub-step, rad, after which no root of before tells the energy. */
-    private static final double SPUN = 0.3;
-
     private Motion() {}
 
     /**
@@ -317,7 +314,7 @@ public final class Motion {
      * @param h length of the sub-step, s
      */
     public static void renewRoot(BodyStore b, SolverBodies s, int i, double h) {
-        if (s.axes.isIsotropic(i) || !s.turnsFaster(i, SPUN / h)) {
+        if (s.axes.isIsotropic(i) || !s.turnsFar(i, h)) {
             return;
         }
         int o = SolverBodies.offset(i) + V + 3;

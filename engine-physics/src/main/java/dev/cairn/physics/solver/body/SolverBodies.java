@@ -40,6 +40,9 @@ public final class SolverBodies {
     /** Value of {@link #guide}: the body has contacts and takes sub-steps. */
     public static final int BOUND = -1;
 
+    /** Turn in a sub-step, rad, after which no root of before it tells the energy. */
+    public static final double FAR_TURN = 0.3;
+
     /** Doubles to a body of {@link #root}. */
     public static final int ROOT = 12;
 
@@ -259,14 +262,15 @@ public final class SolverBodies {
     }
 
     /**
-     * Whether a body turns faster than a rate. Most are told by {@code |w|² <= |u|² max s²}, s
-     * being the lengths of the root's columns.
+     * Whether a body turns by more than {@link #FAR_TURN} in a time. Most are told by {@code |w|²
+     * <= |u|² max s²}, s being the lengths of the root's columns.
      *
-     * @param rate rad/s
+     * @param seconds s
      */
-    public boolean turnsFaster(int i, double rate) {
+    public boolean turnsFar(int i, double seconds) {
         int o = offset(i) + V + 3;
         int k = (i + 1) * ROOT;
+        double rate = FAR_TURN / seconds;
         double square = rate * rate;
         double u = state[o] * state[o] + state[o + 1] * state[o + 1] + state[o + 2] * state[o + 2];
         if (u <= square * Math.min(Math.min(root[k + 9], root[k + 10]), root[k + 11])) {
