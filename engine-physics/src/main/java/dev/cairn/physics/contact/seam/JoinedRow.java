@@ -137,7 +137,7 @@ final class JoinedRow {
         double x = members.normal[i];
         double y = members.normal[i + 1];
         double z = members.normal[i + 2];
-        double h = members.height(leader, leader);
+        double h = members.plane[leader];
         // the shortest turn of the y axis to the normal, by way of its opposite if that is nearer
         boolean up = y >= 0;
         double px = up ? z : 1 - y;

@@ -25,7 +25,12 @@ final class SeamMembers {
 
     private final ColliderStore colliders;
     private final ContactStore contacts;
+    private final Reach own = new Reach();
+
+    /** The shape of the neighbour {@code taken}. */
     private final Reach shape = new Reach();
+
+    private int taken;
 
     /** M. */
     int m;
@@ -36,6 +41,9 @@ final class SeamMembers {
 
     /** By member: normal towards M; from M's centre to the neighbour's; least separation. */
     double[] normal = {}, apart = {}, separation = {};
+
+    /** By member: how far its neighbour reaches along its normal, from M's centre. */
+    double[] plane = {};
 
     SeamMembers(ColliderStore colliders, ContactStore contacts) {
         this.colliders = colliders;
@@ -49,6 +57,7 @@ final class SeamMembers {
             normal = new double[3 * n];
             apart = new double[3 * n];
             separation = new double[n];
+            plane = new double[n];
         }
     }
 
@@ -58,6 +67,8 @@ final class SeamMembers {
         member = members;
         from = first;
         size = number;
+        take(m, own);
+        taken = ColliderStore.NONE;
         ContactStore c = contacts;
         Poses s = colliders.poses;
         for (int i = 0; i < size; i++) {
@@ -85,31 +96,47 @@ final class SeamMembers {
      */
     private void snap(int i) {
         take(neighbour(i));
-        double cosine = shape.findFace(normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]);
-        if (cosine < ContactTolerances.NEARLY_PARALLEL) {
-            return;
+        int n = 3 * i;
+        double cosine = shape.findFace(normal[n], normal[n + 1], normal[n + 2]);
+        if (cosine >= ContactTolerances.NEARLY_PARALLEL) {
+            double x = shape.faceX;
+            double y = shape.faceY;
+            double z = shape.faceZ;
+            if (x == normal[n] && y == normal[n + 1] && z == normal[n + 2]) {
+                plane[i] = height(x, y, z, i);
+                return;
+            }
+            double face = height(x, y, z, i);
+            double lowest = -own.along(-x, -y, -z);
+            double held = 2 * ContactTolerances.HYSTERESIS * colliders.innerRadius[m];
+            if (lowest - face >= separation[i] - held) {
+                normal[n] = x;
+                normal[n + 1] = y;
+                normal[n + 2] = z;
+                plane[i] = face;
+                return;
+            }
         }
-        double x = shape.faceX;
-        double y = shape.faceY;
-        double z = shape.faceZ;
-        double plane =
-                shape.along(x, y, z)
-                        + x * apart[3 * i]
-                        + y * apart[3 * i + 1]
-                        + z * apart[3 * i + 2];
-        take(m);
-        double lowest = -shape.along(-x, -y, -z);
-        double held = 2 * ContactTolerances.HYSTERESIS * colliders.innerRadius[m];
-        if (lowest - plane >= separation[i] - held) {
-            normal[3 * i] = x;
-            normal[3 * i + 1] = y;
-            normal[3 * i + 2] = z;
-        }
+        plane[i] = height(normal[n], normal[n + 1], normal[n + 2], i);
+    }
+
+    /** How far a neighbour reaches along a direction, from M's centre. */
+    private double height(double x, double y, double z, int k) {
+        take(neighbour(k));
+        return shape.along(x, y, z)
+                + (x * apart[3 * k] + y * apart[3 * k + 1] + z * apart[3 * k + 2]);
     }
 
     private void take(int collider) {
+        if (collider != taken) {
+            take(collider, shape);
+            taken = collider;
+        }
+    }
+
+    private void take(int collider, Reach to) {
         Poses s = colliders.poses;
-        shape.set(
+        to.set(
                 colliders.shape[collider],
                 s.orientationX[collider],
                 s.orientationY[collider],
@@ -153,6 +180,9 @@ final class SeamMembers {
         double least = separation[i];
         separation[i] = separation[j];
         separation[j] = least;
+        double most = plane[i];
+        plane[i] = plane[j];
+        plane[j] = most;
     }
 
     /** Whether a neighbour is behind the plane that another one touches along its normal. */
@@ -160,21 +190,10 @@ final class SeamMembers {
         if (!movesTogether(neighbour(j), neighbour(k))) {
             return false;
         }
-        double plane = height(j, j);
-        double most = height(j, k);
+        double most = height(normal[3 * j], normal[3 * j + 1], normal[3 * j + 2], k);
+        double slack = slack(j);
         // a half-space reaches for ever along all but one: no rounding of that is a distance
-        return most <= plane + slack(j) + Math.min(slack(j), ROUNDING * Math.abs(most));
-    }
-
-    /** How far neighbour k reaches along the normal of contact j, from M's centre. */
-    double height(int j, int k) {
-        int other = neighbour(k);
-        double x = normal[3 * j];
-        double y = normal[3 * j + 1];
-        double z = normal[3 * j + 2];
-        take(other);
-        return shape.along(x, y, z)
-                + (x * apart[3 * k] + y * apart[3 * k + 1] + z * apart[3 * k + 2]);
+        return most <= plane[j] + slack + Math.min(slack, ROUNDING * Math.abs(most));
     }
 
     double slack(int j) {

@@ -292,17 +292,24 @@ final class SeamMemory {
 
     /** Four times the place among the members, plus the point; -1 if there are no points. */
     private int nearest(int q, boolean wasSecond, ContactStore c, int[] members, int size) {
+        for (int i = 0; i < size; i++) {
+            int name = feature[q] ^ (((members[i] & 1) != 0) == wasSecond ? 0 : SIDE);
+            int row = members[i] >> 1;
+            for (int k = 0; k < Math.abs(c.pointCount[row]); k++) {
+                if (c.feature[POINTS * row + k] == name) {
+                    return 4 * i + k;
+                }
+            }
+        }
         int best = -1;
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < size; i++) {
             int row = members[i] >> 1;
-            boolean isSecond = (members[i] & 1) != 0;
-            int side = isSecond ? 3 : 0;
-            int name = feature[q] ^ (isSecond == wasSecond ? 0 : SIDE);
+            int side = (members[i] & 1) != 0 ? 3 : 0;
             for (int k = 0; k < Math.abs(c.pointCount[row]); k++) {
                 int p = POINTS * row + k;
-                double square = c.feature[p] == name ? -1 : 0;
-                for (int axis = 0; axis < 3 && square >= 0; axis++) {
+                double square = 0;
+                for (int axis = 0; axis < 3; axis++) {
                     double lever = c.compounds ? c.lever[6 * row + side + axis] : 0;
                     double at = c.anchors[ContactStore.anchor(p) + side + axis] - lever;
                     double d = at - position[3 * q + axis];

@@ -6,6 +6,8 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 
+import java.util.Arrays;
+
 /**
  * The contacts of one collider M with neighbours that do not move against each other.
  *
@@ -47,7 +49,10 @@ final class SeamPlanes {
     private int common;
 
     private int size;
-    private boolean[] covered = {};
+
+    /** By member: whether it is behind the plane that was chosen, or the one that is tried. */
+    private boolean[] covered = {}, tried = {};
+
     private int[] raw = {};
 
     SeamPlanes(
@@ -63,6 +68,7 @@ final class SeamPlanes {
         if (raw.length < most) {
             int n = Math.max(32, 2 * most);
             covered = new boolean[n];
+            tried = new boolean[n];
             raw = new int[n];
         }
     }
@@ -111,8 +117,8 @@ final class SeamPlanes {
         int settled = 0;
         while (settled < size && made < MOST) {
             int plane = findPlane(settled);
-            for (int i = settled; plane < 0 && i < size; i++) {
-                plane = common >= 0 || findRecord(i) >= 0 ? i : -1;
+            if (plane < 0) {
+                plane = findRecorded(settled);
             }
             if (plane < 0) {
                 break;
@@ -138,37 +144,55 @@ final class SeamPlanes {
         return made;
     }
 
-    /** The member whose plane covers most of those that are left, itself included; -1 if none. */
+    /**
+     * The member whose plane covers most of those that are left, itself included, which are then
+     * {@link #covered}; -1 if none.
+     */
     private int findPlane(int begin) {
         int best = -1;
         int most = 1;
         for (int j = begin; j < size; j++) {
-            if (best >= 0
-                    && members.isSame(j, best)
-                    && members.covers(best, j)
-                    && members.covers(j, best)) {
+            if (best >= 0 && members.isSame(j, best) && covered[j] && members.covers(j, best)) {
                 continue;
             }
-            int count = 1;
-            for (int k = begin; k < size; k++) {
-                count += k != j && members.covers(j, k) ? 1 : 0;
-            }
+            int count = cover(begin, j);
             if (count > most
                     || (best >= 0
                             && count == most
                             && members.separation[j] > members.separation[best])) {
                 best = j;
                 most = count;
+                boolean[] chosen = tried;
+                tried = covered;
+                covered = chosen;
             }
         }
         return best;
     }
 
+    /** The first member whose row goes on as a joined one, though its plane covers no other. */
+    private int findRecorded(int begin) {
+        for (int i = begin; i < size; i++) {
+            if (common >= 0 || findRecord(i) >= 0) {
+                Arrays.fill(covered, begin, size, false);
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    /** Finds what a member's plane covers, itself included; how many. */
+    private int cover(int begin, int j) {
+        int count = 0;
+        for (int k = begin; k < size; k++) {
+            tried[k] = k == j || members.covers(j, k);
+            count += tried[k] ? 1 : 0;
+        }
+        return count;
+    }
+
     /** Puts a member and those that it covers next to each other; returns their end. */
     private int gather(int begin, int plane) {
-        for (int k = begin; k < size; k++) {
-            covered[k] = k != plane && members.covers(plane, k);
-        }
         swap(begin, plane);
         int end = begin + 1;
         for (int k = end; k < size; k++) {

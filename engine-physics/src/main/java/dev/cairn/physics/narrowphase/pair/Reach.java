@@ -24,6 +24,11 @@ public final class Reach {
     private double qx, qy, qz, qw;
     private double x, y, z;
 
+    /** Half extents of a box: levels are made of those, and need no list of faces. */
+    private double halfX, halfY, halfZ;
+
+    private boolean isBox;
+
     /** The outward normal that the last {@link #findFace} found, unit, world. */
     public double faceX, faceY, faceZ;
 
@@ -70,7 +75,12 @@ public final class Reach {
             qz = MovedTurn.z(m, ox, oy, oz, ow);
             qw = MovedTurn.w(m, ox, oy, oz, ow);
         }
-        if (!(shape instanceof Polyhedral) && !(shape instanceof HalfSpace)) {
+        isBox = shape instanceof Box;
+        if (shape instanceof Box box) {
+            halfX = box.halfX();
+            halfY = box.halfY();
+            halfZ = box.halfZ();
+        } else if (!(shape instanceof Polyhedral) && !(shape instanceof HalfSpace)) {
             solid.set(shape);
         }
     }
@@ -85,6 +95,9 @@ public final class Reach {
      */
     public double along(double ux, double uy, double uz) {
         turn(ux, uy, uz);
+        if (isBox) {
+            return halfX * Math.abs(x) + halfY * Math.abs(y) + halfZ * Math.abs(z);
+        }
         if (shape instanceof Polyhedral polyhedral) {
             Polyhedron p = Polyhedron.of(polyhedral);
             int v = p.support(x, y, z);
@@ -107,6 +120,11 @@ public final class Reach {
      */
     public boolean holds(double px, double py, double pz, double slack) {
         turn(px, py, pz);
+        if (isBox) {
+            return Math.abs(x) - halfX <= slack
+                    && Math.abs(y) - halfY <= slack
+                    && Math.abs(z) - halfZ <= slack;
+        }
         if (shape instanceof HalfSpace) {
             return y <= slack;
         }
@@ -133,6 +151,9 @@ public final class Reach {
      */
     public double findFace(double ux, double uy, double uz) {
         turn(ux, uy, uz);
+        if (isBox) {
+            return findSide();
+        }
         if (shape instanceof HalfSpace) {
             turnBack(0, 1, 0);
             return y;
@@ -151,6 +172,19 @@ public final class Reach {
             }
         }
         turnBack(p.normalX(best), p.normalY(best), p.normalZ(best));
+        return most;
+    }
+
+    /** The side of a box that looks most along the direction in its axes. */
+    private double findSide() {
+        double most = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        if (Math.abs(x) == most) {
+            turnBack(Math.signum(x), 0, 0);
+        } else if (Math.abs(y) == most) {
+            turnBack(0, Math.signum(y), 0);
+        } else {
+            turnBack(0, 0, Math.signum(z));
+        }
         return most;
     }
 
