@@ -4,6 +4,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.core.state.StateInput;
 import dev.cairn.core.state.StateOutput;
 import dev.cairn.physics.shape.DegenerateShapeException.Reason;
+import dev.cairn.physics.shape.mesh.GivenMesh;
 import dev.cairn.physics.shape.mesh.MeshBuilder;
 import dev.cairn.physics.shape.mesh.Meshed;
 import dev.cairn.physics.shape.mesh.TriangleSet;
@@ -28,8 +29,7 @@ public final class TriangleMesh extends Meshed implements Shape {
     /** Coordinates may be so large, so that boxes of single precision hold them. */
     private static final double MAX_COORDINATE = 1e30;
 
-    private final double[] vertices;
-    private final int[] indices;
+    private final GivenMesh given;
     private final MeshReport report;
     private final double outerRadius;
 
@@ -37,24 +37,12 @@ public final class TriangleMesh extends Meshed implements Shape {
     private final byte[] materials;
 
     private TriangleMesh(
-            TriangleSet triangles,
-            double[] vertices,
-            int[] indices,
-            MeshReport report,
-            byte[] materials) {
+            TriangleSet triangles, GivenMesh given, MeshReport report, byte[] materials) {
         super(triangles);
-        this.vertices = vertices;
-        this.indices = indices;
+        this.given = given;
         this.report = report;
         this.materials = materials;
-        double most = 0;
-        for (int corner : indices) {
-            double x = vertices[3 * corner];
-            double y = vertices[3 * corner + 1];
-            double z = vertices[3 * corner + 2];
-            most = Math.max(most, x * x + y * y + z * z);
-        }
-        outerRadius = Math.sqrt(most);
+        outerRadius = given.outerRadius();
     }
 
     /**
@@ -115,12 +103,12 @@ public final class TriangleMesh extends Meshed implements Shape {
                                 + ", counted from 0");
             }
         }
-        return build(vertices.clone(), indices.clone(), false, jobs, progress);
+        return build(vertices, indices, false, jobs, progress);
     }
 
     void write(StateOutput out) {
-        out.writeDoubles(vertices);
-        out.writeInts(indices);
+        out.writeDoubles(given.vertices());
+        out.writeInts(given.indices());
         out.writeBoolean(isTwoSided());
         out.writeInts(materials());
     }
@@ -138,7 +126,7 @@ public final class TriangleMesh extends Meshed implements Shape {
 
     private TriangleMesh with(byte[] numbers) {
         TriangleSet set = MeshBuilder.with(TriangleSet.of(this), numbers);
-        return new TriangleMesh(set, vertices, indices, report, numbers);
+        return new TriangleMesh(set, given, report, numbers);
     }
 
     /**
@@ -151,7 +139,7 @@ public final class TriangleMesh extends Meshed implements Shape {
      *     range
      */
     public TriangleMesh withMaterials(int[] numbers) {
-        int count = indices.length / 3;
+        int count = given.triangles();
         if (numbers == null || numbers.length != count) {
             throw new IllegalArgumentException(
                     "there are "
@@ -169,7 +157,7 @@ public final class TriangleMesh extends Meshed implements Shape {
 
     @Override
     public int material(int triangle) {
-        Objects.checkIndex(triangle, indices.length / 3);
+        Objects.checkIndex(triangle, given.triangles());
         return materials.length == 0 ? 0 : materials[triangle] & 255;
     }
 
@@ -219,7 +207,7 @@ public final class TriangleMesh extends Meshed implements Shape {
                         builder.openEdges,
                         builder.crowdedEdges,
                         builder.flippedEdges);
-        return new TriangleMesh(triangles, vertices, indices, report, new byte[0]);
+        return new TriangleMesh(triangles, builder.given(), report, new byte[0]);
     }
 
     /**
@@ -232,7 +220,7 @@ public final class TriangleMesh extends Meshed implements Shape {
             return this;
         }
         TriangleSet both = MeshBuilder.twoSided(TriangleSet.of(this));
-        return new TriangleMesh(both, vertices, indices, report, materials);
+        return new TriangleMesh(both, given, report, materials);
     }
 
     /**
@@ -259,15 +247,16 @@ public final class TriangleMesh extends Meshed implements Shape {
                                 + "); no factor may be 0 or infinite");
             }
         }
-        double[] moved = vertices.clone();
+        double[] moved = given.vertices();
         for (int i = 0; i < moved.length; i++) {
             moved[i] *= factor[i % 3];
         }
-        int[] turned = indices.clone();
+        int[] turned = given.indices();
         if (Math.signum(x) * Math.signum(y) * Math.signum(z) < 0) {
             for (int t = 0; t < turned.length; t += 3) {
-                turned[t + 1] = indices[t + 2];
-                turned[t + 2] = indices[t + 1];
+                int second = turned[t + 1];
+                turned[t + 1] = turned[t + 2];
+                turned[t + 2] = second;
             }
         }
         TriangleMesh mesh = of(moved, turned).like(this);
@@ -305,19 +294,20 @@ public final class TriangleMesh extends Meshed implements Shape {
     /**
      * The vertices as they were given.
      *
-     * @return a new array x, y, z, ..., shape frame, m
+     * @return a new array x, y, z, ..., shape frame, m; in linear time
      */
     public double[] vertices() {
-        return vertices.clone();
+        return given.vertices();
     }
 
     /**
-     * The triangles as they were given, degenerate ones too.
+     * The triangles as they were given, degenerate ones too. A corner where several vertices are at
+     * one place is the first of them, whichever was given.
      *
-     * @return a new array of three vertices for each triangle
+     * @return a new array of three vertices for each triangle; in linear time
      */
     public int[] indices() {
-        return indices.clone();
+        return given.indices();
     }
 
     /**
@@ -342,11 +332,12 @@ public final class TriangleMesh extends Meshed implements Shape {
                             + report.flippedEdges()
                             + " flipped edges; close it, or state the mass");
         }
+        int[] indices = given.indices();
         int[][] faces = new int[indices.length / 3][];
         for (int t = 0; t < faces.length; t++) {
             faces[t] = Arrays.copyOfRange(indices, 3 * t, 3 * t + 3);
         }
-        MassProperties unit = Solids.integrate(vertices, faces);
+        MassProperties unit = Solids.integrate(given.vertices(), faces);
         if (!(unit.mass() > 0)) {
             throw new IllegalArgumentException(
                     "the mesh encloses "

@@ -144,6 +144,42 @@ class TriangleMeshTest {
         }
     }
 
+    /** The arrays themselves where nothing was left out of them. */
+    @Test
+    void whatWasGivenIsTold() {
+        TriangleMesh mesh = TriangleMesh.of(cube(), sides());
+        assertArrayEquals(cube(), mesh.vertices());
+        assertArrayEquals(sides(), mesh.indices());
+        assertArrayEquals(sides(), mesh.twoSided().indices());
+    }
+
+    /** Each triangle has three vertices of its own, and every fifth one is a line. */
+    @Test
+    void whatWasGivenIsToldThoughVerticesAreWeldedAndTrianglesLeftOut() {
+        TriangleMesh clean = Grounds.irregular(8, 30, 5);
+        double[] place = clean.vertices();
+        int[] corner = clean.indices();
+        double[] xyz = new double[3 * corner.length];
+        int[] index = new int[corner.length];
+        for (int i = 0; i < corner.length; i++) {
+            System.arraycopy(place, 3 * corner[i], xyz, 3 * i, 3);
+            index[i] = i % 15 == 2 ? i - 1 : i;
+        }
+        TriangleMesh soup = TriangleMesh.of(xyz, index);
+        assertTrue(soup.report().weldedVertices() > 0);
+        assertEquals((corner.length + 12) / 15, soup.report().degenerate().size());
+        assertArrayEquals(xyz, soup.vertices());
+        int[] told = soup.indices();
+        assertEquals(index.length, told.length);
+        for (int i = 0; i < told.length; i++) {
+            for (int axis = 0; axis < 3; axis++) {
+                assertEquals(xyz[3 * index[i] + axis], xyz[3 * told[i] + axis], "corner " + i);
+            }
+        }
+        TriangleMesh again = TriangleMesh.of(soup.vertices(), told);
+        assertEquals(soup.report(), again.report());
+    }
+
     /** Tree, edges and report, whoever builds them; what is done is told up to all of it. */
     @Test
     void aMeshIsTheSameForAnyNumberOfWorkers() {

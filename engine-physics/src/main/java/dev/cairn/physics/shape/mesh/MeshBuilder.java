@@ -28,6 +28,11 @@ public final class MeshBuilder {
     private int[] source;
     private short[] flags = {};
 
+    /** What was given, and is not in the tables: see {@link GivenMesh}. */
+    private int[] weldedTo = {};
+
+    private int[] degenerateCorners = {};
+
     /** Vertices that were at the place of another one. */
     public int welded;
 
@@ -43,14 +48,14 @@ public final class MeshBuilder {
     private int[] halfEdge = {};
 
     /**
-     * Begins with copies.
+     * Of vertices and triangles, neither of which is changed or kept.
      *
      * @param xyz three finite numbers for each vertex, m
      * @param indices three vertices for each triangle
      */
     public MeshBuilder(double[] xyz, int[] indices) {
         vertex = xyz.clone();
-        index = indices.clone();
+        index = indices;
         source = new int[0];
     }
 
@@ -76,8 +81,7 @@ public final class MeshBuilder {
      * @return {@code null} if no triangle has an area
      */
     public @Nullable TriangleSet build(boolean isTwoSided, Jobs jobs, DoubleConsumer progress) {
-        weld();
-        leaveOut();
+        leaveOut(weld());
         progress.accept(WELDED);
         int count = source.length;
         if (count == 0) {
@@ -92,6 +96,11 @@ public final class MeshBuilder {
         progress.accept(1);
         return new MeshTables(
                 isTwoSided, vertex, index, source, flags, new byte[0], tree.box, tree.second, ends);
+    }
+
+    /** What was given, told from the tables; after {@link #build}. */
+    public GivenMesh given() {
+        return new GivenMesh(vertex, index, source, weldedTo, degenerate, degenerateCorners);
     }
 
     /**
@@ -113,8 +122,8 @@ public final class MeshBuilder {
         return ((MeshTables) built).with(materials);
     }
 
-    /** Sorts the vertices by place; of equal ones the first stays. */
-    private void weld() {
+    /** Of the vertices at one place the first stays; returns the number of each that is kept. */
+    private int[] weld() {
         int n = vertex.length / 3;
         for (int i = 0; i < vertex.length; i++) {
             vertex[i] += 0.0; // no minus zero, so equal places have equal bits
@@ -138,9 +147,10 @@ public final class MeshBuilder {
         }
         welded = n - kept;
         vertex = Arrays.copyOf(vertex, 3 * kept);
-        for (int i = 0; i < index.length; i++) {
-            index[i] = to[index[i]];
+        if (welded > 0) {
+            weldedTo = to;
         }
+        return to;
     }
 
     private int hash(int v) {
@@ -157,8 +167,16 @@ public final class MeshBuilder {
                 && vertex[3 * a + 2] == vertex[3 * b + 2];
     }
 
-    private void leaveOut() {
+    /**
+     * Names corners by the vertices that are kept, and leaves out triangles without area.
+     *
+     * @param to by given vertex, the one that is kept
+     */
+    private void leaveOut(int[] to) {
         int n = index.length / 3;
+        int[] given = index;
+        index = new int[given.length];
+        Arrays.setAll(index, i -> to[given[i]]);
         int[] bad = new int[n];
         source = new int[n];
         int kept = 0;
@@ -172,6 +190,10 @@ public final class MeshBuilder {
             }
         }
         degenerate = Arrays.copyOf(bad, left);
+        degenerateCorners = new int[3 * left];
+        for (int i = 0; i < left; i++) {
+            System.arraycopy(given, 3 * bad[i], degenerateCorners, 3 * i, 3);
+        }
         source = Arrays.copyOf(source, kept);
         index = Arrays.copyOf(index, 3 * kept);
     }

@@ -6,7 +6,7 @@ package dev.cairn.physics.shape.mesh;
  * the halves are of equal count, so no links to triangles are needed.
  *
  * <p>Bytes for each triangle of a closed surface: 12 of indices, 12 of vertices, 4 of its number, 2
- * of flags, some 10 of the tree.
+ * of flags, 7 to 14 of the tree.
  */
 final class MeshTables extends TriangleSet {
     /** Triangles of a leaf at most. */
