@@ -224,6 +224,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                     table.registry.dynamic,
                     table.registry.dynamicCount,
                     table.broadPhase,
+                    table.registry.kinematicCount > 0,
                     hooks.get() != null,
                     tick.jobs());
         }

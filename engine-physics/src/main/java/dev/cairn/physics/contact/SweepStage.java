@@ -143,6 +143,7 @@ public final class SweepStage {
      * @param stepSeconds length of the tick, s
      */
     public void run(double stepSeconds, Jobs jobs) {
+        guard.begin();
         step = stepSeconds;
         reach = stepSeconds * bounds.speculativeTime;
         int slots = colliders.bodies.slotCount;
@@ -273,14 +274,20 @@ public final class SweepStage {
      * @param dynamic slots of the dynamic bodies that were moved
      * @param count how many there are
      * @param broadPhase boxes of the tick
+     * @param isAnyDriven whether a kinematic body moves
      * @param isHooked whether a hook may let bodies through
      */
     public void finish(
-            int[] dynamic, int count, BroadPhase broadPhase, boolean isHooked, Jobs jobs) {
+            int[] dynamic,
+            int count,
+            BroadPhase broadPhase,
+            boolean isAnyDriven,
+            boolean isHooked,
+            Jobs jobs) {
         if (impacts != null) {
             impacts.report();
         }
-        guard.run(dynamic, count, state, broadPhase, isHooked, impacts, step, jobs);
+        guard.run(dynamic, count, state, broadPhase, isAnyDriven, isHooked, impacts, step, jobs);
     }
 
     private byte look(int row) {

@@ -52,6 +52,9 @@ final class TunnellingGuard {
 
     private static final int NONE = ColliderStore.NONE;
 
+    /** Each body of an assembly that is put back takes the others with it: looks, at most. */
+    private static final int MOST_PASSES = 8;
+
     /** Of the inner radius: how far the centre stays away. */
     private static final double AWAY = 0.25;
 
@@ -67,14 +70,13 @@ final class TunnellingGuard {
     private final Placement surface = new Placement();
     private final Hit hit = new Hit();
     private final double[] box = new double[6];
-    private final double[] start = new double[3];
+    private final double[] start = new double[3], middle = new double[3];
     private final RotatingFrame frame;
 
     private final PerWorker<double[]> scratch = new PerWorker<>(() -> new double[3]);
     private int[] dynamic = {};
     private int dynamicCount;
     private double step;
-    private @Nullable ImpactStage impacts;
 
     /** By body slot: it was fast in this tick. */
     private boolean[] fast = {};
@@ -94,11 +96,17 @@ final class TunnellingGuard {
         frame = new RotatingFrame(colliders, bounds);
     }
 
+    /** Keeps what is known of the start of the tick alone; before the solve. */
+    void begin() {
+        frame.begin();
+    }
+
     /**
      * Looks at where bodies have gone; after the solve.
      *
      * @param bodies slots of the dynamic bodies that were moved
      * @param state by active row, what {@link SweepStage} saw in it before the solve
+     * @param isAnyDriven whether a kinematic body moves
      * @param isHooked whether a hook may let bodies through
      * @param struck the bodies that were struck within the tick
      * @param stepSeconds length of the tick, s
@@ -108,11 +116,12 @@ final class TunnellingGuard {
             int count,
             byte[] state,
             BroadPhase broadPhase,
+            boolean isAnyDriven,
             boolean isHooked,
             @Nullable ImpactStage struck,
             double stepSeconds,
             Jobs jobs) {
-        impacts = struck;
+        frame.use(struck, stepSeconds);
         dynamic = bodies;
         dynamicCount = count;
         step = stepSeconds;
@@ -122,7 +131,7 @@ final class TunnellingGuard {
         ensure(bodyBlocks, rowBlocks);
         depenetration.ensureSlots();
         jobs.run(bodiesJob, bodyBlocks);
-        boolean any = false;
+        boolean any = isAnyDriven;
         for (int b = 0; b < bodyBlocks; b++) {
             any |= fastCount[b] > 0;
         }
@@ -130,29 +139,40 @@ final class TunnellingGuard {
             return;
         }
         depenetration.tie(dynamic, dynamicCount);
-        composeDriven();
+        composeMoved();
         jobs.run(rowsJob, rowBlocks);
+        int moves = -1;
+        for (int i = 0; i < MOST_PASSES && depenetration.moves() != moves; i++) {
+            moves = depenetration.moves();
+            guard(state, broadPhase, isHooked, bodyBlocks, rowBlocks);
+        }
+    }
+
+    private void guard(
+            byte[] state,
+            BroadPhase broadPhase,
+            boolean isHooked,
+            int bodyBlocks,
+            int rowBlocks) {
         for (int k = 0; k < 2 * rowBlocks; k++) {
             boolean last = k >= rowBlocks;
             if (rowCount[k % rowBlocks] > 0 || (last && depenetration.any())) {
                 guardRows(k % rowBlocks, state, isHooked, last);
             }
         }
-        if (isHooked) {
-            return;
-        }
-        for (int b = 0; b < bodyBlocks; b++) {
+        for (int b = 0; b < bodyBlocks && !isHooked; b++) {
             if (fastCount[b] > 0) {
                 guardStruck(b, broadPhase);
             }
         }
     }
 
-    /** Kinematic bodies have moved already, and so have their parts. */
-    private void composeDriven() {
+    /** All bodies have moved already, and so have their parts, of slow bodies too. */
+    private void composeMoved() {
         for (int i = 0; i < colliders.compoundCount; i++) {
-            if (colliders.bodies.isMoved(colliders.compound[i])) {
-                colliders.compose(colliders.compound[i], scratch.of(0));
+            int body = colliders.compound[i];
+            if (frame.moves(body)) {
+                colliders.compose(body, scratch.of(0));
             }
         }
     }
@@ -186,9 +206,9 @@ final class TunnellingGuard {
     }
 
     private boolean isFast(int c) {
-        double x = wayX(c);
-        double y = wayY(c);
-        double z = wayZ(c);
+        double x = frame.wayX(c);
+        double y = frame.wayY(c);
+        double z = frame.wayZ(c);
         double least = least(c);
         boolean isSolid = colliders.innerRadius[c] > 0 && !colliders.sensor[c];
         return x * x + y * y + z * z > least * least && isSolid && !colliders.isPart(c);
@@ -199,13 +219,8 @@ final class TunnellingGuard {
      * back.
      */
     private double least(int c) {
-        boolean any = late(c) > 0 || depenetration.hasMoved(colliders.body[c]);
+        boolean any = frame.late(c) > 0 || depenetration.hasMoved(colliders.body[c]);
         return any ? 0 : FAST * colliders.innerRadius[c];
-    }
-
-    /** The share of the tick after which a collider was struck last. */
-    private double late(int c) {
-        return impacts == null ? 0 : impacts.late(colliders.body[c]);
     }
 
     /**
@@ -239,18 +254,6 @@ final class TunnellingGuard {
         return any;
     }
 
-    private double wayX(int c) {
-        return colliders.poses.positionX[c] - bounds.start[3 * c];
-    }
-
-    private double wayY(int c) {
-        return colliders.poses.positionY[c] - bounds.start[3 * c + 1];
-    }
-
-    private double wayZ(int c) {
-        return colliders.poses.positionZ[c] - bounds.start[3 * c + 2];
-    }
-
     private void rowsBlock(int block, int worker) {
         int end = Blocks.end(block, ROWS_PER_BLOCK, contacts.activeCount);
         int count = 0;
@@ -262,7 +265,27 @@ final class TunnellingGuard {
 
     /** Whether one body of a row was fast, and moves. */
     private boolean looksAt(int row) {
-        return isFastMover(contacts.bodyA[row]) || isFastMover(contacts.bodyB[row]);
+        ContactStore c = contacts;
+        return isFastMover(c.bodyA[row])
+                || isFastMover(c.bodyB[row])
+                || isDriven(c.colliderA[row], c.colliderB[row])
+                || isDriven(c.colliderB[row], c.colliderA[row]);
+    }
+
+    /** Whether a driven collider was fast, as seen from another one. */
+    private boolean isDriven(int driven, int part) {
+        BodyStore s = colliders.bodies;
+        int body = colliders.body[driven];
+        if (!s.isMoved(body)) {
+            return false;
+        }
+        Poses p = colliders.poses;
+        double apart =
+                length(p.apartX(part, driven), p.apartY(part, driven), p.apartZ(part, driven));
+        double x = s.angularVelocityX[body];
+        double y = s.angularVelocityY[body];
+        double z = s.angularVelocityZ[body];
+        return frame.way(driven) + step * length(x, y, z) * apart > FAST * colliders.innerRadius[part];
     }
 
     private boolean isDynamic(int body) {
@@ -354,10 +377,10 @@ final class TunnellingGuard {
     }
 
     private void follow(int slot, BroadPhase broadPhase) {
-        double x = wayX(slot);
-        double y = wayY(slot);
-        double z = wayZ(slot);
-        double way = length(x, y, z);
+        double x = frame.wayX(slot);
+        double y = frame.wayY(slot);
+        double z = frame.wayZ(slot);
+        double way = frame.way(slot);
         double reach = AWAY * colliders.innerRadius[slot];
         for (int axis = 0; axis < 3; axis++) {
             box[axis] = bounds.start[3 * slot + axis] - reach;
@@ -372,7 +395,7 @@ final class TunnellingGuard {
                     z / way);
             for (int other = walk.next(way);
                     other != AabbTree.NONE;
-                    other = walk.next(length(wayX(slot), wayY(slot), wayZ(slot)))) {
+                    other = walk.next(frame.way(slot))) {
                 meet(slot, other, broadPhase);
             }
         }
@@ -404,23 +427,12 @@ final class TunnellingGuard {
      */
     private void keepOut(int part, int other) {
         Poses p = colliders.poses;
-        // a body that was struck is looked at from there on
-        double from = Math.max(late(part), late(other));
-        double mine = since(part, from);
-        int body = colliders.body[other];
-        double its = frame.moves(body) ? since(other, from) : 0;
-        double endX = p.apartX(part, other);
-        double endY = p.apartY(part, other);
-        double endZ = p.apartZ(part, other);
-        start[0] = endX - its * wayX(other) + mine * wayX(part);
-        start[1] = endY - its * wayY(other) + mine * wayY(part);
-        start[2] = endZ - its * wayZ(other) + mine * wayZ(part);
-        if (!frame.turn(body, from, step, impacts, start)) {
+        if (!frame.see(part, other, start)) {
             return;
         }
-        double wayX = endX - start[0];
-        double wayY = endY - start[1];
-        double wayZ = endZ - start[2];
+        double wayX = p.apartX(part, other) - start[0];
+        double wayY = p.apartY(part, other) - start[1];
+        double wayZ = p.apartZ(part, other) - start[2];
         double least = least(part);
         double square = wayX * wayX + wayY * wayY + wayZ * wayZ;
         if (square > least * least) {
@@ -437,10 +449,20 @@ final class TunnellingGuard {
         }
     }
 
-    /** The share of a collider's way that it goes from a share of the tick on. */
-    private double since(int c, double from) {
-        double start = late(c);
-        return from > start ? (1 - from) / (1 - start) : 1;
+    /**
+     * Whether what a part meets is between it and its whole's middle: then it is held off on the
+     * wrong side, and comes back.
+     *
+     * @param height of the part's start over the plane of {@link #hit}, m
+     */
+    private boolean isBehind(int part, int other, double height) {
+        if (!colliders.isPart(part) || !frame.see(colliders.standIn(part), other, middle)) {
+            return false;
+        }
+        double x = hit.normalX() * (start[0] - middle[0]);
+        double y = hit.normalY() * (start[1] - middle[1]);
+        double z = hit.normalZ() * (start[2] - middle[2]);
+        return height + (x + y + z) < 0;
     }
 
     /**
@@ -463,7 +485,7 @@ final class TunnellingGuard {
         double height = hit.distance() * closing / way;
         double away = Math.min(AWAY * inner, 0.5 * height);
         double rest = 1 - hit.distance() / way + away / closing;
-        if (!(rest > 0)) {
+        if (!(rest > 0) || isBehind(part, other, height)) {
             return;
         }
         depenetration.stop(

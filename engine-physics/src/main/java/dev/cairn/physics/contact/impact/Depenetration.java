@@ -37,6 +37,7 @@ public final class Depenetration {
     private boolean[] moved = {};
 
     private boolean any;
+    private int moves;
 
     /** Bodies that hang together by joints. */
     private final Islands ties = new Islands();
@@ -80,6 +81,7 @@ public final class Depenetration {
         Arrays.fill(held, 0, slots, false);
         Arrays.fill(moved, 0, slots, false);
         any = false;
+        moves = 0;
         ties.begin(dynamic, dynamicCount);
         byte[] kind = colliders.bodies.kind;
         for (int pass = 0; pass < 2; pass++) {
@@ -119,6 +121,11 @@ public final class Depenetration {
     /** Whether a body was put back in this tick. */
     public boolean hasMoved(int body) {
         return moved[body];
+    }
+
+    /** How often an assembly was put back in this tick. */
+    public int moves() {
+        return moves;
     }
 
     /** Whether any was. */
@@ -184,6 +191,7 @@ public final class Depenetration {
             moveOne(body, x, y, z);
             return;
         }
+        moves++;
         for (int i = 0; i < dynamicCount; i++) {
             if (isTogether(body, dynamic[i])) {
                 moveOne(dynamic[i], x, y, z);
