@@ -389,16 +389,12 @@ public final class SweepStage {
             if (state[i] != CLOSING) {
                 continue;
             }
-            if (pair.pass(row, step)) {
-                setMisses(i, row);
-                continue;
-            }
             boolean isVeryFast = isVeryFast(stage, row);
-            if (!isVeryFast && !areAlone(row) && pair.isShort()) {
+            if (!isVeryFast && !areAlone(row) && pair.isSurelyShort(row, step)) {
                 state[i] = OPEN;
-                continue;
+            } else {
+                sweep(i, row, isVeryFast, pair);
             }
-            sweep(i, row, isVeryFast, pair);
         }
     }
 
@@ -418,6 +414,10 @@ public final class SweepStage {
     }
 
     private void sweep(int i, int row, boolean isVeryFast, SweptPair pair) {
+        if (pair.pass(row, step)) {
+            setMisses(i, row);
+            return;
+        }
         if (!isVeryFast && pair.meetSometime(row, step)) {
             state[i] = CLOSING;
             setMeets(row);

@@ -177,6 +177,11 @@ public final class Flight {
         }
     }
 
+    /** A direction that has turned since the start as the shape has. */
+    public void turned(double x, double y, double z, double[] out) {
+        Rotations.rotate(tx, ty, tz, tw, x, y, z, out);
+    }
+
     /** Where a point of now, from the shape's centre, was at the start, from the pivot. */
     public void back(double px, double py, double pz, double[] out) {
         // from the pivot now

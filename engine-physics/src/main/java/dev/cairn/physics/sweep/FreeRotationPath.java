@@ -15,7 +15,7 @@ import dev.cairn.physics.solver.body.PrincipalAxes;
  * so that forwards from there it comes to where it was. Of a body that turns by more than 128 rad
  * in a tick only the mean motion is known.
  *
- * <p>One thread. Allocates nothing, except for the axes of a body that it has not seen.
+ * <p>One thread. Allocates nothing, except for the axes of a body that it has not kept.
  */
 public final class FreeRotationPath {
     /** The turn of a step, rad, and how many steps a tick has at most. */
@@ -32,10 +32,14 @@ public final class FreeRotationPath {
     /** Square of the sine between w and I w that is rounding. */
     private static final double STEADY = 0x1p-80;
 
+    /** Bodies whose principal axes are kept: one of each slot modulo this power of two. */
+    private static final int KEPT = 1024;
+
     /** The body that turns, alone. */
     private final BodyStore one = new BodyStore();
 
     private final PrincipalAxes axes = new PrincipalAxes();
+    private final double[] kept = new double[KEPT * PrincipalAxes.STRIDE];
 
     /** Ends of steps. */
     private final double[] ends = new double[STATE * (STEPS + 1)];
@@ -93,7 +97,11 @@ public final class FreeRotationPath {
         one.inertiaXY[0] = s.inertiaXY[body];
         one.inertiaXZ[0] = s.inertiaXZ[body];
         one.inertiaYZ[0] = s.inertiaYZ[body];
+        // they cost more than all else here, and are looked for again in the next search
+        int at = (body & KEPT - 1) * PrincipalAxes.STRIDE;
+        System.arraycopy(kept, at, axes.data, 0, PrincipalAxes.STRIDE);
         axes.update(one, 0);
+        System.arraycopy(axes.data, 0, kept, at, PrincipalAxes.STRIDE);
         isSymmetric = FreeRotation.symmetry(axes.data, 0) >= 0;
     }
 

@@ -43,11 +43,15 @@ public final class TimeOfImpact {
     /** By how much less than K the gap may bend in a trial, after trials that went well. */
     private static final double MOST_BOLD = 0x1p12;
 
+    /** Of the tick, in a proof. */
+    private static final int MOST_HALVINGS = 4;
+
     private final NarrowPhase narrowPhase;
     private final Reach reach = new Reach();
     private final int mostSteps, mostInAll;
     private final double near;
 
+    private final double[] next = new double[3];
     private Flight a = new Flight(), b = new Flight();
     private double apartX, apartY, apartZ;
     private double until;
@@ -158,29 +162,83 @@ public final class TimeOfImpact {
 
     /**
      * After {@link #haveMet} said no: whether two that {@link Reach} fits are held apart by an axis
-     * that turns to that of their distance then. The second proof above, by two support functions
-     * more; it decides most pairs that go around each other.
+     * that turns to that of their distance then. The second proof above, by support functions; it
+     * decides most pairs that go around each other.
      *
-     * @param nx unit axis from a to b at the start, world
+     * @param nx unit axis from a to b at the start, world; that of their distance is looked for
+     *     where this one tells nothing
      * @param ny see {@code nx}
      * @param nz see {@code nx}
      * @param margin how much farther apart than met they have to stay, m
      * @return false says nothing
      */
     public boolean areHeldApart(double nx, double ny, double nz, double margin) {
-        time = 0;
+        double last = gapAtEnd - margin;
+        if (!(last > 0)) {
+            return false;
+        }
+        double x = nextX;
+        double y = nextY;
+        double z = nextZ;
+        a.move(0);
+        b.move(0);
         axisX = nx;
         axisY = ny;
         axisZ = nz;
-        double now = along(0) - margin;
-        double last = gapAtEnd - margin;
-        return now > 0 && last > 0 && isFree(until, now, last);
+        double now = along(nx, ny, nz) - margin;
+        if (!(now > 0)) {
+            now = look(0) - margin;
+            take();
+        }
+        return now > 0 && isHeld(0, now, until, x, y, z, last, margin, MOST_HALVINGS);
     }
 
     /**
-     * Whether two that {@link Reach} fits are held apart by an axis that does not turn: the case n1
-     * = n0 of the second proof above, by four support functions in place of distances. Costs a
-     * fraction of a search, and decides most pairs that pass each other; see {@link #of}.
+     * Whether they are held apart over a span, or over both of its halves, from the present axis to
+     * another one; in the middle by an axis half-way.
+     */
+    private boolean isHeld(
+            double from,
+            double d,
+            double to,
+            double x,
+            double y,
+            double z,
+            double last,
+            double margin,
+            int halvings) {
+        time = from;
+        nextX = x;
+        nextY = y;
+        nextZ = z;
+        if (isFree(to - from, d, last)) {
+            take();
+            return true;
+        }
+        if (halvings == 0) {
+            return false;
+        }
+        double t = from + 0.5 * (to - from);
+        double mx = axisX + x;
+        double my = axisY + y;
+        double mz = axisZ + z;
+        double unit = 1 / Math.sqrt(mx * mx + my * my + mz * mz);
+        mx *= unit;
+        my *= unit;
+        mz *= unit;
+        a.move(t);
+        b.move(t);
+        double mid = along(mx, my, mz) - margin;
+        return mid > 0
+                && isHeld(from, d, t, mx, my, mz, mid, margin, halvings - 1)
+                && isHeld(t, mid, to, x, y, z, last, margin, halvings - 1);
+    }
+
+    /**
+     * Whether two that {@link Reach} fits are held apart by an axis that does not turn, or by one
+     * that turns as the first or the second of them does, as the normal of a face: by the second
+     * proof above, with support functions in place of distances. Costs a fraction of a search, and
+     * decides most pairs that pass each other; see {@link #of}.
      *
      * @param later when it ends, s; it begins at 0
      * @param nx unit axis from a to b, world
@@ -193,23 +251,45 @@ public final class TimeOfImpact {
         axisX = nx;
         axisY = ny;
         axisZ = nz;
+        a.move(0);
+        b.move(0);
+        double now = along(nx, ny, nz);
+        if (!(now > 0)) {
+            return false;
+        }
+        a.move(later);
+        b.move(later);
+        if (isFreeTo(later, now, nx, ny, nz)) {
+            return true;
+        }
+        for (int side = 0; side < 2; side++) {
+            Flight f = side == 0 ? a : b;
+            if (f.spin > 0) {
+                f.turned(nx, ny, nz, next);
+                if (isFreeTo(later, now, next[0], next[1], next[2])) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Whether nothing meets until they lie as now, while the axis turns to another one. */
+    private boolean isFreeTo(double later, double d, double nx, double ny, double nz) {
         nextX = nx;
         nextY = ny;
         nextZ = nz;
-        double last = along(later);
-        double now = last > 0 ? along(0) : last;
-        return now > 0 && isFree(later, now, last);
+        double last = along(nx, ny, nz);
+        return last > 0 && isFree(later, d, last);
     }
 
-    /** How much farther apart than met they are along the axis at a time, at least. */
-    private double along(double t) {
-        a.move(t);
-        b.move(t);
-        double centres = axisX * apartX() + axisY * apartY() + axisZ * apartZ();
+    /** How much farther apart than met they are along an axis, as they lie, at least. */
+    private double along(double nx, double ny, double nz) {
+        double centres = nx * apartX() + ny * apartY() + nz * apartZ();
         reach.set(a.shape, a.qx, a.qy, a.qz, a.qw);
-        double ofA = reach.along(axisX, axisY, axisZ);
+        double ofA = reach.along(nx, ny, nz);
         reach.set(b.shape, b.qx, b.qy, b.qz, b.qw);
-        return centres - ofA - reach.along(-axisX, -axisY, -axisZ) - met;
+        return centres - ofA - reach.along(-nx, -ny, -nz) - met;
     }
 
     private boolean search(double nearby) {
