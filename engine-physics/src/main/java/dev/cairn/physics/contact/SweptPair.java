@@ -116,7 +116,7 @@ final class SweptPair implements MovingPair {
      */
     boolean pass(int row, double stepSeconds) {
         setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
-        return search(met + 2 * NEAR * size)
+        return search(met)
                 .arePassing(
                         step, contacts.normalX(row), contacts.normalY(row), contacts.normalZ(row));
     }
@@ -141,7 +141,7 @@ final class SweptPair implements MovingPair {
      */
     boolean meetSometime(int row, double stepSeconds) {
         setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
-        boolean haveMet = met == exact && search(met).haveMet(step);
+        boolean haveMet = met == exact && search(met).haveMet(step, contacts.normalX(row), contacts.normalY(row), contacts.normalZ(row));
         isSeenAtEnd = met == exact && !haveMet;
         return haveMet && isShort();
     }
@@ -149,9 +149,8 @@ final class SweptPair implements MovingPair {
     /** After {@link #meetSometime} said no: {@link #pass}, by an axis that turns. */
     boolean goAround(int row) {
         ContactStore c = contacts;
-        double margin = 2 * NEAR * size;
         return isSeenAtEnd
-                && search.areHeldApart(c.normalX(row), c.normalY(row), c.normalZ(row), margin);
+                && search.areHeldApart(c.normalX(row), c.normalY(row), c.normalZ(row));
     }
 
     @Override

@@ -18,6 +18,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.polyhedron.Polyhedral;
 import dev.cairn.physics.shape.Sphere;
 
 /**
@@ -291,6 +292,33 @@ public final class NarrowPhase {
             return round.distance - pair.radiusA - pair.radiusB;
         }
         return polyhedra.distance(a, b, cache);
+    }
+
+    /**
+     * A lower bound of the distance of two shapes that are apart, by an axis that is told as of
+     * {@link #distance}: of boxes and hulls that nearly touch, at a fraction of the cost.
+     *
+     * @return m; where it is not above 0 they may be apart or not
+     */
+    public double apartBy(
+            Shape a,
+            Shape b,
+            double qAx,
+            double qAy,
+            double qAz,
+            double qAw,
+            double qBx,
+            double qBy,
+            double qBz,
+            double qBw,
+            double dx,
+            double dy,
+            double dz) {
+        if (a instanceof Polyhedral && b instanceof Polyhedral) {
+            begin(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
+            return polyhedra.apartBy();
+        }
+        return distance(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
     }
 
     /**

@@ -153,11 +153,35 @@ public final class TimeOfImpact {
      * that need not know when needs no search; see {@link #of}.
      *
      * @param later s
+     * @param nx unit axis from a to b, world: corners that are farthest along it are tried first
+     * @param ny see {@code nx}
+     * @param nz see {@code nx}
      */
-    public boolean haveMet(double later) {
+    public boolean haveMet(double later, double nx, double ny, double nz) {
         until = later;
-        gapAtEnd = look(later);
+        a.move(later);
+        b.move(later);
+        if (isCornerIn(a, b, 1, nx, ny, nz) || isCornerIn(b, a, -1, nx, ny, nz)) {
+            gapAtEnd = 0;
+            return true;
+        }
+        gapAtEnd = apartBy(later);
+        if (!(gapAtEnd > 0)) {
+            gapAtEnd = look(later);
+        }
         return gapAtEnd <= 0;
+    }
+
+    /** Whether the corner of one that is farthest towards the other, as they lie, is in it. */
+    private boolean isCornerIn(Flight one, Flight other, int sign, double nx, double ny, double nz) {
+        double[] p = next;
+        reach.set(one.shape, one.qx, one.qy, one.qz, one.qw);
+        if (!reach.corner(sign * nx, sign * ny, sign * nz, p)) {
+            return false;
+        }
+        reach.set(other.shape, other.qx, other.qy, other.qz, other.qw);
+        return reach.holds(
+                p[0] - sign * apartX(), p[1] - sign * apartY(), p[2] - sign * apartZ(), 0);
     }
 
     /**
@@ -169,11 +193,10 @@ public final class TimeOfImpact {
      *     where this one tells nothing
      * @param ny see {@code nx}
      * @param nz see {@code nx}
-     * @param margin how much farther apart than met they have to stay, m
      * @return false says nothing
      */
-    public boolean areHeldApart(double nx, double ny, double nz, double margin) {
-        double last = gapAtEnd - margin;
+    public boolean areHeldApart(double nx, double ny, double nz) {
+        double last = gapAtEnd;
         if (!(last > 0)) {
             return false;
         }
@@ -185,12 +208,12 @@ public final class TimeOfImpact {
         axisX = nx;
         axisY = ny;
         axisZ = nz;
-        double now = along(nx, ny, nz) - margin;
+        double now = along(nx, ny, nz);
         if (!(now > 0)) {
-            now = look(0) - margin;
+            now = apartBy(0);
             take();
         }
-        return now > 0 && isHeld(0, now, until, x, y, z, last, margin, MOST_HALVINGS);
+        return now > 0 && isHeld(0, now, until, x, y, z, last, MOST_HALVINGS);
     }
 
     /**
@@ -205,7 +228,6 @@ public final class TimeOfImpact {
             double y,
             double z,
             double last,
-            double margin,
             int halvings) {
         time = from;
         nextX = x;
@@ -228,10 +250,10 @@ public final class TimeOfImpact {
         mz *= unit;
         a.move(t);
         b.move(t);
-        double mid = along(mx, my, mz) - margin;
+        double mid = along(mx, my, mz);
         return mid > 0
-                && isHeld(from, d, t, mx, my, mz, mid, margin, halvings - 1)
-                && isHeld(t, mid, to, x, y, z, last, margin, halvings - 1);
+                && isHeld(from, d, t, mx, my, mz, mid, halvings - 1)
+                && isHeld(t, mid, to, x, y, z, last, halvings - 1);
     }
 
     /**
@@ -411,6 +433,21 @@ public final class TimeOfImpact {
                 narrowPhase.distance(
                         a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, apartX(),
                         apartY(), apartZ());
+        return seen(d);
+    }
+
+    /** The same, at least. */
+    private double apartBy(double t) {
+        a.move(t);
+        b.move(t);
+        double d =
+                narrowPhase.apartBy(
+                        a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, apartX(),
+                        apartY(), apartZ());
+        return seen(d);
+    }
+
+    private double seen(double d) {
         nextX = narrowPhase.axisX();
         nextY = narrowPhase.axisY();
         nextZ = narrowPhase.axisZ();

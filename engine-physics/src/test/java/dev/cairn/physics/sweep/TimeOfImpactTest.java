@@ -104,8 +104,8 @@ class TimeOfImpactTest {
             double z = far * n[2];
             search.of(a, b, x, y, z, 1e-9);
             boolean isApart = search.gap(0) > 0;
-            boolean haveMet = search.haveMet(SECONDS);
-            boolean around = !haveMet && search.areHeldApart(n[0], n[1], n[2], 1e-9);
+            boolean haveMet = search.haveMet(SECONDS, n[0], n[1], n[2]);
+            boolean around = !haveMet && search.areHeldApart(n[0], n[1], n[2]);
             boolean meets = search.of(a, b, x, y, z, 0).find(0, SECONDS, 1);
             String which = "seed " + seed + ", run " + i;
             assertFalse(isApart && haveMet && !meets && !search.isUndecided, which + ": met");

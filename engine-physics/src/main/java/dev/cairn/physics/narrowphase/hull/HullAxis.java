@@ -158,6 +158,21 @@ public final class HullAxis {
         return distanceAfterRun(general || cache != 0);
     }
 
+    /**
+     * A lower bound of the signed distance of the pair, of those that are apart, along the axis that
+     * GJK ends with; leaves it in the points. NaN if that tells nothing.
+     */
+    double apartBy() {
+        key = 0;
+        gjk.run(pair, pair.dx, pair.dy, pair.dz, Double.MAX_VALUE);
+        if (gjk.overlap || !(gjk.distance > 0)) {
+            return Double.NaN;
+        }
+        double s = 1 / gjk.distance;
+        points.setAxis(s * gjk.vx, s * gjk.vy, s * gjk.vz);
+        return pair.separation(points.axisX, points.axisY, points.axisZ);
+    }
+
     /** The same after GJK has run from anywhere, or has not. */
     public double distanceAfterRun(boolean ran) {
         if (ran) {

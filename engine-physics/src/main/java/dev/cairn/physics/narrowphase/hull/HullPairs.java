@@ -62,6 +62,11 @@ public final class HullPairs {
         return search.distance(a, b, cache);
     }
 
+    /** See {@code NarrowPhase.apartBy}; leaves the axis in {@link ContactPoints}. */
+    public double apartBy() {
+        return search.apartBy();
+    }
+
     /** What to pass to the next {@link #distance}. */
     public long distanceKey() {
         return search.key;

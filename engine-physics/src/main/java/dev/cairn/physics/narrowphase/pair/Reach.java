@@ -1,6 +1,7 @@
 package dev.cairn.physics.narrowphase.pair;
 
 import dev.cairn.physics.internal.MovedTurn;
+import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.HalfSpace;
@@ -107,6 +108,26 @@ public final class Reach {
             return y >= PARALLEL ? 0 : Double.POSITIVE_INFINITY;
         }
         return solid.reach(x, y, z) + solid.round;
+    }
+
+    /**
+     * Finds the corner that reaches farthest along a direction.
+     *
+     * @param ux unit vector, world
+     * @param uy unit vector, world
+     * @param uz unit vector, world
+     * @param out receives it, from the shape's centre, world, m
+     * @return false for shapes without corners
+     */
+    public boolean corner(double ux, double uy, double uz, double[] out) {
+        if (!(shape instanceof Polyhedral polyhedral)) {
+            return false;
+        }
+        turn(ux, uy, uz);
+        Polyhedron p = Polyhedron.of(polyhedral);
+        int v = p.support(x, y, z);
+        Rotations.rotate(qx, qy, qz, qw, p.vertexX(v), p.vertexY(v), p.vertexZ(v), out);
+        return true;
     }
 
     /**
