@@ -314,7 +314,7 @@ public final class SweepStage {
 
     /** Whether two bodies are struck within the tick. */
     private boolean isVeryFast(ImpactStage stage, int row) {
-        return isFast(row, stage.isRound(row) ? ROUND_FAST : VERY_FAST);
+        return isFast(row, ROUND_FAST) && (stage.isRound(row) || isFast(row, VERY_FAST));
     }
 
     /** Whether two bodies pass each other by a good part of the thinner one in a tick. */
@@ -418,7 +418,7 @@ public final class SweepStage {
             setMisses(i, row);
             return;
         }
-        if (!isVeryFast && pair.meetSometime(row, step)) {
+        if (!isVeryFast && pair.meetSometime(row)) {
             state[i] = CLOSING;
             setMeets(row);
             return;

@@ -112,7 +112,7 @@ final class SweptPair implements MovingPair {
 
     /**
      * Whether the colliders of a row surely pass each other within a tick: a plane across its
-     * normal stays between them, by more than a search gives up within. False says nothing.
+     * normal stays between them, or turns with one of them. False says nothing.
      */
     boolean pass(int row, double stepSeconds) {
         setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
@@ -135,13 +135,15 @@ final class SweptPair implements MovingPair {
     }
 
     /**
-     * Whether the colliders of a row, which are apart, surely meet within a tick at a time that
-     * need not be known: they overlap at its end, and their way {@link #isShort}. False says
-     * nothing.
+     * After {@link #pass} said no: whether the colliders of a row, which are apart, surely meet
+     * within the tick at a time that need not be known: they overlap at its end, and their way
+     * {@link #isShort}. False says nothing.
      */
-    boolean meetSometime(int row, double stepSeconds) {
-        setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
-        boolean haveMet = met == exact && search(met).haveMet(step, contacts.normalX(row), contacts.normalY(row), contacts.normalZ(row));
+    boolean meetSometime(int row) {
+        ContactStore c = contacts;
+        boolean haveMet =
+                met == exact
+                        && search.haveMet(step, c.normalX(row), c.normalY(row), c.normalZ(row));
         isSeenAtEnd = met == exact && !haveMet;
         return haveMet && isShort();
     }

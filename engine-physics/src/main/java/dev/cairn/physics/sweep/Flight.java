@@ -131,6 +131,22 @@ public final class Flight {
         return spin * radius;
     }
 
+    /** How fast turning moves a point along n at most: |n x w| R, w being so far from the start's. */
+    double turning(double nx, double ny, double nz) {
+        if (spin == 0) {
+            return 0;
+        }
+        double cx = ny * wz - nz * wy;
+        double cy = nz * wx - nx * wz;
+        double cz = nx * wy - ny * wx;
+        double across = Math.sqrt(cx * cx + cy * cy + cz * cz);
+        if (swing > 0) {
+            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+            across = Math.min(across + swing * length, spin * length);
+        }
+        return radius * across;
+    }
+
     /** Where it is after a time, s. */
     public void move(double t) {
         x = t * (vx + 0.5 * t * ax);

@@ -33,7 +33,7 @@ public final class FreeRotationPath {
     private static final double STEADY = 0x1p-80;
 
     /** Bodies whose principal axes are kept: one of each slot modulo this power of two. */
-    private static final int KEPT = 1024;
+    private static final int KEPT = 512;
 
     /** The body that turns, alone. */
     private final BodyStore one = new BodyStore();

@@ -47,7 +47,7 @@ public final class TimeOfImpact {
     private static final int MOST_HALVINGS = 4;
 
     private final NarrowPhase narrowPhase;
-    private final Reach reach = new Reach();
+    private final SupportGaps supports = new SupportGaps();
     private final int mostSteps, mostInAll;
     private final double near;
 
@@ -161,7 +161,11 @@ public final class TimeOfImpact {
         until = later;
         a.move(later);
         b.move(later);
-        if (isCornerIn(a, b, 1, nx, ny, nz) || isCornerIn(b, a, -1, nx, ny, nz)) {
+        double x = apartX();
+        double y = apartY();
+        double z = apartZ();
+        if (supports.isCornerIn(a, b, x, y, z, nx, ny, nz)
+                || supports.isCornerIn(b, a, -x, -y, -z, -nx, -ny, -nz)) {
             gapAtEnd = 0;
             return true;
         }
@@ -170,18 +174,6 @@ public final class TimeOfImpact {
             gapAtEnd = look(later);
         }
         return gapAtEnd <= 0;
-    }
-
-    /** Whether the corner of one that is farthest towards the other, as they lie, is in it. */
-    private boolean isCornerIn(Flight one, Flight other, int sign, double nx, double ny, double nz) {
-        double[] p = next;
-        reach.set(one.shape, one.qx, one.qy, one.qz, one.qw);
-        if (!reach.corner(sign * nx, sign * ny, sign * nz, p)) {
-            return false;
-        }
-        reach.set(other.shape, other.qx, other.qy, other.qz, other.qw);
-        return reach.holds(
-                p[0] - sign * apartX(), p[1] - sign * apartY(), p[2] - sign * apartZ(), 0);
     }
 
     /**
@@ -209,6 +201,13 @@ public final class TimeOfImpact {
         axisY = ny;
         axisZ = nz;
         double now = along(nx, ny, nz);
+        if (!(now > 0)) {
+            // no axis of theirs; that of the end, or else their own
+            axisX = x;
+            axisY = y;
+            axisZ = z;
+            now = along(x, y, z);
+        }
         if (!(now > 0)) {
             now = apartBy(0);
             take();
@@ -307,11 +306,7 @@ public final class TimeOfImpact {
 
     /** How much farther apart than met they are along an axis, as they lie, at least. */
     private double along(double nx, double ny, double nz) {
-        double centres = nx * apartX() + ny * apartY() + nz * apartZ();
-        reach.set(a.shape, a.qx, a.qy, a.qz, a.qw);
-        double ofA = reach.along(nx, ny, nz);
-        reach.set(b.shape, b.qx, b.qy, b.qz, b.qw);
-        return centres - ofA - reach.along(-nx, -ny, -nz) - met;
+        return supports.along(a, b, apartX(), apartY(), apartZ(), nx, ny, nz) - met;
     }
 
     private boolean search(double nearby) {
@@ -477,23 +472,7 @@ public final class TimeOfImpact {
     }
 
     private double turning(double nx, double ny, double nz) {
-        return turning(a, nx, ny, nz) + turning(b, nx, ny, nz);
-    }
-
-    /** |n x w| R, w being at most so far from that of the start. */
-    private static double turning(Flight f, double nx, double ny, double nz) {
-        if (f.spin == 0) {
-            return 0;
-        }
-        double x = ny * f.wz - nz * f.wy;
-        double y = nz * f.wx - nx * f.wz;
-        double z = nx * f.wy - ny * f.wx;
-        double across = Math.sqrt(x * x + y * y + z * z);
-        if (f.swing > 0) {
-            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-            across = Math.min(across + f.swing * length, f.spin * length);
-        }
-        return f.radius * across;
+        return a.turning(nx, ny, nz) + b.turning(nx, ny, nz);
     }
 
     /** |aB - aA| + (|wA|² + |dwA/dt|) RA + (|wB|² + |dwB/dt|) RB. */
