@@ -151,8 +151,7 @@ final class SweptPair implements MovingPair {
     /** After {@link #meetSometime} said no: {@link #pass}, by an axis that turns. */
     boolean goAround(int row) {
         ContactStore c = contacts;
-        return isSeenAtEnd
-                && search.areHeldApart(c.normalX(row), c.normalY(row), c.normalZ(row));
+        return isSeenAtEnd && search.areHeldApart(c.normalX(row), c.normalY(row), c.normalZ(row));
     }
 
     @Override

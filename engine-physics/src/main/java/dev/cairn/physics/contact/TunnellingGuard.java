@@ -149,11 +149,7 @@ final class TunnellingGuard {
     }
 
     private void guard(
-            byte[] state,
-            BroadPhase broadPhase,
-            boolean isHooked,
-            int bodyBlocks,
-            int rowBlocks) {
+            byte[] state, BroadPhase broadPhase, boolean isHooked, int bodyBlocks, int rowBlocks) {
         for (int k = 0; k < 2 * rowBlocks; k++) {
             boolean last = k >= rowBlocks;
             if (rowCount[k % rowBlocks] > 0 || (last && depenetration.any())) {
@@ -285,7 +281,8 @@ final class TunnellingGuard {
         double x = s.angularVelocityX[body];
         double y = s.angularVelocityY[body];
         double z = s.angularVelocityZ[body];
-        return frame.way(driven) + step * length(x, y, z) * apart > FAST * colliders.innerRadius[part];
+        return frame.way(driven) + step * length(x, y, z) * apart
+                > FAST * colliders.innerRadius[part];
     }
 
     private boolean isDynamic(int body) {

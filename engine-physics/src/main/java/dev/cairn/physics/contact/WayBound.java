@@ -32,7 +32,9 @@ final class WayBound {
         this.bounds = bounds;
     }
 
-    /** Whether two colliders of free bodies surely go less far than a length; false says nothing. */
+    /**
+     * Whether two colliders of free bodies surely go less far than a length; false says nothing.
+     */
     boolean isShorter(int a, int b, double step, double length) {
         if (colliders.isChild(a) || colliders.isChild(b)) {
             return false;

@@ -18,8 +18,8 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
-import dev.cairn.physics.shape.polyhedron.Polyhedral;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.polyhedron.Polyhedral;
 
 /**
  * Collides pairs of convex shapes: axis by {@link Gjk} and {@link Epa} (or {@link Axes#boxes}),

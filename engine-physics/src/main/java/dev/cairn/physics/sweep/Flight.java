@@ -131,7 +131,9 @@ public final class Flight {
         return spin * radius;
     }
 
-    /** How fast turning moves a point along n at most: |n x w| R, w being so far from the start's. */
+    /**
+     * How fast turning moves a point along n at most: |n x w| R, w being so far from the start's.
+     */
     double turning(double nx, double ny, double nz) {
         if (spin == 0) {
             return 0;

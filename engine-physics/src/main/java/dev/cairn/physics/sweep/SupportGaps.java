@@ -17,14 +17,7 @@ final class SupportGaps {
      * @param nx unit axis, world
      */
     double along(
-            Flight a,
-            Flight b,
-            double x,
-            double y,
-            double z,
-            double nx,
-            double ny,
-            double nz) {
+            Flight a, Flight b, double x, double y, double z, double nx, double ny, double nz) {
         double centres = nx * x + ny * y + nz * z;
         reach.set(a.shape, a.qx, a.qy, a.qz, a.qw);
         double ofA = reach.along(nx, ny, nz);

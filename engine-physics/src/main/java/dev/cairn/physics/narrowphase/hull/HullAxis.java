@@ -159,8 +159,8 @@ public final class HullAxis {
     }
 
     /**
-     * A lower bound of the signed distance of the pair, of those that are apart, along the axis that
-     * GJK ends with; leaves it in the points. NaN if that tells nothing.
+     * A lower bound of the signed distance of the pair, of those that are apart, along the axis
+     * that GJK ends with; leaves it in the points. NaN if that tells nothing.
      */
     double apartBy() {
         key = 0;
