@@ -268,6 +268,11 @@ public final class SweepStage {
         }
     }
 
+    /** Sets the gravity of the ticks to come, m/s²: what is put back up pays for it. */
+    public void weigh(double x, double y, double z) {
+        guard.weigh(x, y, z);
+    }
+
     /**
      * Looks at where fast bodies have gone; after the solve.
      *

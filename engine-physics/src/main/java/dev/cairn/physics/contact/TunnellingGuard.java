@@ -101,6 +101,11 @@ final class TunnellingGuard {
         frame.begin();
     }
 
+    /** Sets the gravity of a tick, m/s². */
+    void weigh(double x, double y, double z) {
+        depenetration.weigh(x, y, z);
+    }
+
     /**
      * Looks at where bodies have gone; after the solve.
      *

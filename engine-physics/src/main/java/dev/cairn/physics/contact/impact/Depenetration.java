@@ -3,6 +3,7 @@ package dev.cairn.physics.contact.impact;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.EdgeSource;
+import dev.cairn.physics.internal.KineticEnergy;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.Islands;
 
@@ -19,7 +20,8 @@ import java.util.Arrays;
  *   dx = mB/(mA + mB) b  and  -mA/(mA + mB) b,      j = u / (1/mA + 1/mB + (r x n) . J (r x n))
  * </pre>
  *
- * so momentum stays. An assembly that floats is put back as a whole, so that no joint opens; a body
+ * so momentum stays. What lifts a body more than that takes from its motion is paid for by all its
+ * velocities, those of an assembly alike. An assembly that floats is put back as a whole, so that no joint opens; a body
  * that joints bind to a fixed one goes where they pull it.
  *
  * <p>Simulation thread; allocates only when something grows.
@@ -45,6 +47,10 @@ public final class Depenetration {
     // the tick in work
     private int[] dynamic = {};
     private int dynamicCount;
+    private double gravityX, gravityY, gravityZ;
+
+    /** What bodies were lifted by since a stop began, J. */
+    private double lifted;
 
     /**
      * For the bodies of a world.
@@ -65,6 +71,13 @@ public final class Depenetration {
             moved = new boolean[tied.length];
             ties.ensureSlots(tied.length);
         }
+    }
+
+    /** Sets the gravity of a tick, m/s². */
+    public void weigh(double x, double y, double z) {
+        gravityX = x;
+        gravityY = y;
+        gravityZ = z;
     }
 
     /**
@@ -156,12 +169,53 @@ public final class Depenetration {
             double nz) {
         double light = lightness(body);
         double share = light / (light + lightness(other));
+        lifted = 0;
+        double before = energy(body) + energy(other);
         move(body, share * backX, share * backY, share * backZ);
         if (share < 1) {
             double rest = share - 1;
             move(other, rest * backX, rest * backY, rest * backZ);
         }
         strike(body, other, nx, ny, nz);
+        if (colliders.bodies.kind[other] != BodyStore.KINEMATIC) {
+            pay(body, lifted + energy(body) + energy(other) - before);
+        }
+    }
+
+    private double energy(int body) {
+        BodyStore s = colliders.bodies;
+        return s.kind[body] == BodyStore.DYNAMIC ? KineticEnergy.of(s, body, own) : 0;
+    }
+
+    /** A body and what hangs together with it lose an energy, as far as they have it. */
+    private void pay(int body, double gain) {
+        if (!(gain > 0)) {
+            return;
+        }
+        boolean isAlone = !tied[body] || !isLoose(body);
+        double all = isAlone ? energy(body) : 0;
+        for (int i = 0; i < dynamicCount && !isAlone; i++) {
+            all += isTogether(body, dynamic[i]) ? energy(dynamic[i]) : 0;
+        }
+        double share = gain < all ? Math.sqrt(1 - gain / all) : 0;
+        if (isAlone) {
+            slow(body, share);
+        }
+        for (int i = 0; i < dynamicCount && !isAlone; i++) {
+            if (isTogether(body, dynamic[i])) {
+                slow(dynamic[i], share);
+            }
+        }
+    }
+
+    private void slow(int body, double share) {
+        BodyStore s = colliders.bodies;
+        s.velocityX[body] *= share;
+        s.velocityY[body] *= share;
+        s.velocityZ[body] *= share;
+        s.angularVelocityX[body] *= share;
+        s.angularVelocityY[body] *= share;
+        s.angularVelocityZ[body] *= share;
     }
 
     /** 1/kg of what moves with a body; 0 if it does not answer. */
@@ -202,7 +256,10 @@ public final class Depenetration {
     private void moveOne(int body, double x, double y, double z) {
         moved[body] = true;
         any = true;
-        colliders.bodies.move(body, x, y, z);
+        BodyStore s = colliders.bodies;
+        double up = -(gravityX * x + gravityY * y + gravityZ * z);
+        lifted += up * s.gravityScale[body] / s.inverseMass[body];
+        s.move(body, x, y, z);
         // what was not moved in this tick lies where it lay, and so do its parts
         colliders.compose(body, own);
     }
