@@ -5,6 +5,7 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.Sag;
 
 import java.util.Arrays;
 
@@ -20,7 +21,7 @@ public final class RestDetector {
     private static final double SLOW = 0.0015;
 
     /** How far a still body may be from its place, over the inner radius, and no further than */
-    private static final double STAYS = 0.01;
+    private static final double STAYS = Sag.SHOWS;
 
     /** this speed over {@code sqrt(g r)} takes it in the time: 2.2 mm/s for a cube of 1 m. */
     private static final double DRIFT = 0.001;
@@ -44,6 +45,7 @@ public final class RestDetector {
     private static final int POSE = 7;
 
     private final double softness;
+    private final double learning;
     private final double window;
     private final double stillSeconds;
     private final BlockJob job = this::block;
@@ -83,9 +85,11 @@ public final class RestDetector {
      * @param sleepSeconds time of quiet before sleep, s: two windows
      * @param softness how far what rests sinks into a contact, over {@code g} times the square of
      *     the tick
+     * @param learning share of it that a contact learns in a tick
      */
-    public RestDetector(double sleepSeconds, double softness) {
+    public RestDetector(double sleepSeconds, double softness, double learning) {
         this.softness = softness;
+        this.learning = learning;
         window = 0.5 * sleepSeconds;
         stillSeconds = STILL * sleepSeconds;
     }
@@ -241,7 +245,13 @@ public final class RestDetector {
         // what is thin rises from its sag by more than a share of its size
         double sag = softness * gravity * (step * step);
         double left = Math.max(LEFT * r, Math.min(STAYS * r, sag));
-        boolean fades = moved <= FADES * last && moved * moved <= left * (last - moved);
+        // by its own fading, and by that of a sag, which a faster motion may have hidden
+        double stays = Math.pow(1 - learning * Sag.times(sag, r), seconds[s] / step);
+        double rise = learning > 0 ? moved * stays / (1 - stays) : 0;
+        boolean fades =
+                moved <= FADES * last
+                        && moved * moved <= left * (last - moved)
+                        && rise <= left;
         rests[s] = last >= 0 && (moved <= NONE * r || fades);
         before[s] = moved;
         seconds[s] = 0;

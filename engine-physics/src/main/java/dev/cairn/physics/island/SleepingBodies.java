@@ -60,6 +60,7 @@ public final class SleepingBodies {
      * @param enabled whether bodies sleep
      * @param sleepSeconds time of quiet before, s
      * @param softness as for {@link RestDetector}
+     * @param learning see {@code softness}
      * @param bodies whose kinds change
      * @param edges the links: contacts, and other kinds of constraints
      */
@@ -67,12 +68,13 @@ public final class SleepingBodies {
             boolean enabled,
             double sleepSeconds,
             double softness,
+            double learning,
             BodyStore bodies,
             EdgeSource... edges) {
         this.bodies = bodies;
         this.edges = edges;
         this.enabled = enabled;
-        detector = new RestDetector(sleepSeconds, softness);
+        detector = new RestDetector(sleepSeconds, softness, learning);
         resting = new RestingIslands(detector, bodies, edges);
         neighbours = new AwakeNeighbours(bodies);
         told = new SleepChanges(bodies);

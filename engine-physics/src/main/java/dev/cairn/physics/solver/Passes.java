@@ -22,6 +22,7 @@ import dev.cairn.physics.solver.load.SingleStartSweep;
 import dev.cairn.physics.solver.load.StartPass;
 import dev.cairn.physics.solver.load.StartSweep;
 import dev.cairn.physics.solver.load.StaticStart;
+import dev.cairn.physics.solver.load.ThinRows;
 import dev.cairn.physics.solver.load.Unloading;
 import dev.cairn.physics.solver.refresh.CoreGuard;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
@@ -487,6 +488,7 @@ final class Passes {
                 rows.rolling.store(rows, tick.contacts, j, last);
             }
         }
+        ThinRows.learn(tick, rows, one, sub, from, to);
         if (renewed) {
             refresh.restore(rows, tick.contacts, from, to);
         }

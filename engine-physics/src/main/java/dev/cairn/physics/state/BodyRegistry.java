@@ -90,7 +90,10 @@ public final class BodyRegistry implements Stateful {
     public BodyRegistry(Tuning tuning, boolean sleeping, double sleepSeconds, EdgeSource[] edges) {
         bounds = new BoundsStage(colliders, tuning);
         this.edges = edges;
-        sleepers = new SleepingBodies(sleeping, sleepSeconds, softness(tuning), bodies, edges);
+        double learning = tuning.get(Tunable.OFFSET_GAIN);
+        sleepers =
+                new SleepingBodies(
+                        sleeping, sleepSeconds, softness(tuning), learning, bodies, edges);
     }
 
     /** {@code sag / (g T^2)} on static bodies: {@code sag = g/w^2}, {@code w} in ticks T. */

@@ -29,10 +29,20 @@ public final class Offsets {
 
     private Offsets() {}
 
-    /** Writes the preloads of contact {@code c}, the row at place {@code j}, for the next tick. */
+    /**
+     * Writes the preloads of contact {@code c}, the row at place {@code j}, for the next tick.
+     *
+     * @param times how many times the usual share a tick moves
+     */
     static void update(
-            ConstraintRows rows, double[] body, ContactStore contacts, int c, int j, SubStep sub) {
-        double gain = sub.offsetGain;
+            ConstraintRows rows,
+            double[] body,
+            ContactStore contacts,
+            int c,
+            int j,
+            SubStep sub,
+            int times) {
+        double gain = times * sub.offsetGain;
         double still = sub.still;
         double touch = /*(float)*/ sub.touch;
         double[] d = rows.doubles;

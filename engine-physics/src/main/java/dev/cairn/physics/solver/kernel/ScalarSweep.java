@@ -9,6 +9,7 @@ import static dev.cairn.physics.solver.row.ConstraintRows.COLD;
 import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
 import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
 
+import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.Scratch;
@@ -229,6 +230,18 @@ public final class ScalarSweep implements ScalarPasses {
                         d[o + (ConstraintRows.LAMBDA + k) * lanes];
             }
         }
+    }
+
+    @Override
+    public void learn(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore contacts,
+            SubStep sub,
+            int place,
+            int times) {
+        int source = rows.link[place * LINK + ConstraintRows.SOURCE];
+        Offsets.update(rows, bodies.state, contacts, source, place, sub, times);
     }
 
     @Override

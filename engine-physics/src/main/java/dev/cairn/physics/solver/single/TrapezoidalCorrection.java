@@ -138,14 +138,21 @@ final class TrapezoidalCorrection {
         return sum > 0 ? low / sum : 0;
     }
 
-    /** Whether the square of a body's turning before and after the sub-step is below a bound. */
+    /**
+     * Whether the square of a body's turning before and after the sub-step is below a bound. Before
+     * is what the contact has not changed: what turned the body has precessed since.
+     */
     private static boolean isStill(SolverBodies s, int i, double most) {
         int o = SolverBodies.offset(i);
-        int g = MotionRecord.STRIDE * i;
+        int free = MotionRecord.STRIDE * i + MotionRecord.FREE + 3;
         double sum = 0;
         for (int c = 0; c < 3; c++) {
+            int k = (i + 1) * SolverBodies.ROOT + 3 * c;
             double after = s.world(i, o + V + 3, c);
-            double before = s.motion[g + 9 + c] - s.motion[g + 6 + c];
+            double before = 0;
+            for (int e = 0; e < 3; e++) {
+                before += s.root[k + e] * s.motion[free + e];
+            }
             sum += before * before + after * after;
         }
         return sum < most;
