@@ -249,9 +249,7 @@ public final class RestDetector {
         double stays = Math.pow(1 - learning * Sag.times(sag, r), seconds[s] / step);
         double rise = learning > 0 ? Math.min(sag, moved * stays / (1 - stays)) : 0;
         boolean fades =
-                moved <= FADES * last
-                        && moved * moved <= left * (last - moved)
-                        && rise <= left;
+                moved <= FADES * last && moved * moved <= left * (last - moved) && rise <= left;
         rests[s] = last >= 0 && (moved <= NONE * r || fades);
         before[s] = moved;
         seconds[s] = 0;

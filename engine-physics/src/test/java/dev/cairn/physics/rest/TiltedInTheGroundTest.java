@@ -57,8 +57,7 @@ class TiltedInTheGroundTest {
      */
     @Test
     void aRodThatLeansTwoWaysLiesFlatInTheEnd() {
-        try (PhysicsWorld world =
-                PhysicsWorld.builder().workers(1).sleeping(false).build()) {
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).sleeping(false).build()) {
             world.add(Body.fixed().shape(HalfSpace.of()));
             world.add(
                     Body.dynamic()

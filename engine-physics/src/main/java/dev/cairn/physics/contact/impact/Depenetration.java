@@ -21,8 +21,8 @@ import java.util.Arrays;
  * </pre>
  *
  * so momentum stays. What lifts a body more than that takes from its motion is paid for by all its
- * velocities, those of an assembly alike. An assembly that floats is put back as a whole, so that no joint opens; a body
- * that joints bind to a fixed one goes where they pull it.
+ * velocities, those of an assembly alike. An assembly that floats is put back as a whole, so that
+ * no joint opens; a body that joints bind to a fixed one goes where they pull it.
  *
  * <p>Simulation thread; allocates only when something grows.
  */

@@ -2,7 +2,6 @@ package dev.cairn.physics.solver.load;
 
 import static dev.cairn.physics.solver.row.ConstraintRows.COUNT;
 import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
-import static dev.cairn.physics.solver.row.ConstraintRows.SOURCE;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Sag;
@@ -24,7 +23,12 @@ public final class ThinRows {
      * @param to behind the last one
      */
     public static void learn(
-            SolverContext tick, ConstraintRows rows, ScalarPasses one, SubStep sub, int from, int to) {
+            SolverContext tick,
+            ConstraintRows rows,
+            ScalarPasses one,
+            SubStep sub,
+            int from,
+            int to) {
         if (!(sub.offsetGain > 0)) {
             return;
         }
