@@ -43,7 +43,8 @@ public final class ContactSolver {
 
     /**
      * Contacts times ticks after which a scene is worth the wide sweeps' warm-up. A tick counts for
-     * at most a hundredth of it: a large scene's scalar code shall be compiled before.
+     * at most a tenth of it: a large scene's scalar code shall be compiled before, and is after ten
+     * ticks of thousands of contacts.
      */
     private static final int WORTH_WIDE = 32_768;
 
@@ -380,7 +381,7 @@ public final class ContactSolver {
         if (passes[k].rows.places > 0 && sweeps[k] instanceof WideSweeps wide && !wide.isWarm()) {
             chosen[k] = narrow[k];
             // Not places: how many there are depends on the lanes.
-            wanted[k] += Math.min(WORTH_WIDE / 100, batches.rows(k));
+            wanted[k] += Math.min(WORTH_WIDE / 10, batches.rows(k));
             if (tick.settings.count(Tunable.LANES) != 0
                     && k == Batches.FLOATS
                     && settings().count(Tunable.FLOATS_FROM) > 0) {

@@ -32,7 +32,7 @@ final class SingleContact {
     private static final double AGREES = 1e-12;
 
     /** Speed over what gravity adds to it in a sub-step, up to which a body is still. */
-    private static final double STILL = 1e-6;
+    private static final double STILL = 1e-7;
 
     /** Turn in a sub-step, rad: of what turns farther, the bias pass must agree, too. */
     private static final double FAR = 0.01;
