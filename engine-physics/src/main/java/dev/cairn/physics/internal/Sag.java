@@ -5,8 +5,8 @@ package dev.cairn.physics.internal;
  * a share of its overlap in each tick.
  *
  * <p>The sag goes by the sub-step alone, some 70 micrometres at 1/240 s; so of a thing that is thin
- * it is a good part. Its contacts learn as much faster as the sag is larger than what does not
- * show, up to five times: beyond that, loads that one tick learnt would swing in a stack.
+ * it is a good part. If it lies alone, its contact learns as much faster as the sag is larger than
+ * what does not show, up to five times; in a stack, loads that one tick learnt would swing.
  */
 public final class Sag {
     /** Over the inner radius: what does not show. */

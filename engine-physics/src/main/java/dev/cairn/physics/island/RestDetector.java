@@ -246,7 +246,7 @@ public final class RestDetector {
         double sag = softness * gravity * (step * step);
         double left = Math.max(LEFT * r, Math.min(STAYS * r, sag));
         // by its own fading, and by that of a sag, which a faster motion may have hidden
-        double stays = Math.pow(1 - learning * Sag.times(sag, r), seconds[s] / step);
+        double stays = StrictMath.pow(1 - learning * Sag.times(sag, r), seconds[s] / step);
         double rise = learning > 0 ? Math.min(sag, moved * stays / (1 - stays)) : 0;
         boolean fades =
                 moved <= FADES * last && moved * moved <= left * (last - moved) && rise <= left;

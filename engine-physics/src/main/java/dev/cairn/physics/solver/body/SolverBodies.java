@@ -40,6 +40,9 @@ public final class SolverBodies {
     /** Value of {@link #guide}: the body has contacts and takes sub-steps. */
     public static final int BOUND = -1;
 
+    /** {@link #guide} of a body on one contact with a static body whose closed forms are off. */
+    public static final int LOST = -3;
+
     /** Turn in a sub-step, rad, after which no root of before it tells the energy. */
     public static final double FAR_TURN = 0.3;
 
@@ -82,8 +85,8 @@ public final class SolverBodies {
     public double[] motion = {};
 
     /**
-     * {@link #FREE}, {@link #BOUND}, or the only row of the body where its partner is static: the
-     * body is guided.
+     * {@link #FREE}, {@link #BOUND}, {@link #LOST}, or the only row of the body where its partner
+     * is static: the body is guided.
      */
     public int[] guide = {};
 
@@ -137,6 +140,11 @@ public final class SolverBodies {
 
     public static int offset(int slot) {
         return (slot + 1) * STRIDE;
+    }
+
+    /** Whether the one contact of a dynamic body is with a static one. */
+    public boolean isAlone(int slot) {
+        return guide[slot] >= 0 || guide[slot] == LOST;
     }
 
     public static int slot(int offset) {

@@ -361,7 +361,7 @@ public final class Collector implements Stateful {
                 int i = Math.max(a, b);
                 boolean isOnly = guides && guide[i] == SolverBodies.FREE && m < list.contacts;
                 isOnly &= list.carrier[m] < 0;
-                guide[i] = isOnly && !lost[i] ? m : SolverBodies.BOUND;
+                guide[i] = !isOnly ? SolverBodies.BOUND : lost[i] ? SolverBodies.LOST : m;
             }
         }
         for (int i = 0; i < slots; i++) {

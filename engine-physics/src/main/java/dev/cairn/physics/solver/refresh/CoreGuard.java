@@ -106,8 +106,11 @@ public final class CoreGuard {
                 v[p + 2] += (least - end) * nz;
             }
             // the closed forms for a body on one contact know nothing of this
-            s.guide[SolverBodies.slot(o)] = SolverBodies.BOUND;
-            b.lostGuide[SolverBodies.slot(o)] = true;
+            int slot = SolverBodies.slot(o);
+            if (s.guide[slot] >= 0) {
+                s.guide[slot] = SolverBodies.LOST;
+            }
+            b.lostGuide[slot] = true;
         }
     }
 
