@@ -220,7 +220,6 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         table.registry.motion.end(
                 table.registry.kinematic, table.registry.kinematicCount, tick.stepSeconds());
         if (solves) {
-            sweeps.weigh(gravityX, gravityY, gravityZ);
             sweeps.finish(
                     table.registry.dynamic,
                     table.registry.dynamicCount,

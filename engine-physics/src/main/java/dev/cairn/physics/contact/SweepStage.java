@@ -107,6 +107,7 @@ public final class SweepStage {
     private boolean[] misses = {};
 
     private final PerWorker<SweptPair> pairs;
+    private final PerWorker<WayBound> ways;
 
     /** Once a body was fast. */
     private @Nullable ImpactStage impacts;
@@ -134,6 +135,7 @@ public final class SweepStage {
         this.edges = edges;
         points = new PointStore(colliders);
         pairs = new PerWorker<>(() -> new SweptPair(colliders, contacts, bounds, points));
+        ways = new PerWorker<>(() -> new WayBound(colliders, bounds));
         guard = new TunnellingGuard(colliders, contacts, bounds, edges);
     }
 
@@ -175,6 +177,7 @@ public final class SweepStage {
         bindOthers(slots);
         points.use(contacts);
         pairs.ensure(jobs.workers());
+        ways.ensure(jobs.workers());
         for (int w = 0; w < pairs.count(); w++) {
             pairs.of(w).use(bound);
         }
@@ -266,11 +269,6 @@ public final class SweepStage {
         if (strikes) {
             stage.run(broadPhase, bounds.start, bounceSpeed, substeps);
         }
-    }
-
-    /** Sets the gravity of the ticks to come, m/s²: what is put back up pays for it. */
-    public void weigh(double x, double y, double z) {
-        guard.weigh(x, y, z);
     }
 
     /**
@@ -395,7 +393,9 @@ public final class SweepStage {
                 continue;
             }
             boolean isVeryFast = isVeryFast(stage, row);
-            if (!isVeryFast && !areAlone(row) && pair.isSurelyShort(row, step)) {
+            if (!isVeryFast
+                    && !areAlone(row)
+                    && ways.of(worker).isShort(c.colliderA[row], c.colliderB[row], step)) {
                 state[i] = OPEN;
             } else {
                 sweep(i, row, isVeryFast, pair);

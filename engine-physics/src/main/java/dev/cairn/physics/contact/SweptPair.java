@@ -68,7 +68,6 @@ final class SweptPair implements MovingPair {
     private final NarrowPhase narrowPhase = new NarrowPhase();
     private final TimeOfImpact search =
             new TimeOfImpact(narrowPhase, MOST_STEPS, NEAR, MOST_IN_ALL);
-    private final WayBound bound;
     private final Manifold manifold = new Manifold();
     private final Flight a = new Flight(), b = new Flight();
     private final FreeRotationPath freeA = new FreeRotationPath(), freeB = new FreeRotationPath();
@@ -97,7 +96,6 @@ final class SweptPair implements MovingPair {
         this.contacts = contacts;
         this.bounds = bounds;
         this.points = points;
-        bound = new WayBound(colliders, bounds);
     }
 
     @Override
@@ -119,14 +117,6 @@ final class SweptPair implements MovingPair {
         return search(met)
                 .arePassing(
                         step, contacts.normalX(row), contacts.normalY(row), contacts.normalZ(row));
-    }
-
-    /** Whether the colliders of a row surely are {@link #isShort}, from what is at hand. */
-    boolean isSurelyShort(int row, double stepSeconds) {
-        int first = contacts.colliderA[row];
-        int second = contacts.colliderB[row];
-        double thin = Math.min(colliders.innerRadius[first], colliders.innerRadius[second]);
-        return bound.isShorter(first, second, stepSeconds, thin);
     }
 
     /** Whether those looked at last go less far than they are thick; see {@link #collideThere}. */

@@ -101,11 +101,6 @@ final class TunnellingGuard {
         frame.begin();
     }
 
-    /** Sets the gravity of a tick, m/s². */
-    void weigh(double x, double y, double z) {
-        depenetration.weigh(x, y, z);
-    }
-
     /**
      * Looks at where bodies have gone; after the solve.
      *
@@ -135,6 +130,7 @@ final class TunnellingGuard {
         int rowBlocks = Blocks.count(contacts.activeCount, ROWS_PER_BLOCK);
         ensure(bodyBlocks, rowBlocks);
         depenetration.ensureSlots();
+        depenetration.weigh(bounds.gravityX, bounds.gravityY, bounds.gravityZ);
         jobs.run(bodiesJob, bodyBlocks);
         boolean any = isAnyDriven;
         for (int b = 0; b < bodyBlocks; b++) {

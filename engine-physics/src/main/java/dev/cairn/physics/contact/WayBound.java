@@ -33,20 +33,22 @@ final class WayBound {
     }
 
     /**
-     * Whether two colliders of free bodies surely go less far than a length; false says nothing.
+     * Whether two colliders of free bodies surely go less far than they are thick; false says
+     * nothing. See {@link SweptPair#isShort}.
      */
-    boolean isShorter(int a, int b, double step, double length) {
+    boolean isShort(int a, int b, double step) {
         if (colliders.isChild(a) || colliders.isChild(b)) {
             return false;
         }
         BodyStore s = colliders.bodies;
         int i = colliders.body[a];
         int j = colliders.body[b];
+        double thin = Math.min(colliders.innerRadius[a], colliders.innerRadius[b]);
         double x = s.velocityX[i] - s.velocityX[j];
         double y = s.velocityY[i] - s.velocityY[j];
         double z = s.velocityZ[i] - s.velocityZ[j];
         double centres = Math.sqrt(x * x + y * y + z * z) + step * (fall(i) + fall(j));
-        return step * (centres + surface(a, i, step) + surface(b, j, step)) <= SURE * length;
+        return step * (centres + surface(a, i, step) + surface(b, j, step)) <= SURE * thin;
     }
 
     private double fall(int body) {

@@ -169,10 +169,8 @@ public final class TimeOfImpact {
             gapAtEnd = 0;
             return true;
         }
-        gapAtEnd = apartBy(later);
-        if (!(gapAtEnd > 0)) {
-            gapAtEnd = look(later);
-        }
+        gapAtEnd = apartBy();
+        gapAtEnd = gapAtEnd > 0 ? gapAtEnd : look(later);
         return gapAtEnd <= 0;
     }
 
@@ -188,8 +186,7 @@ public final class TimeOfImpact {
      * @return false says nothing
      */
     public boolean areHeldApart(double nx, double ny, double nz) {
-        double last = gapAtEnd;
-        if (!(last > 0)) {
+        if (!(gapAtEnd > 0)) {
             return false;
         }
         double x = nextX;
@@ -209,10 +206,10 @@ public final class TimeOfImpact {
             now = along(x, y, z);
         }
         if (!(now > 0)) {
-            now = apartBy(0);
+            now = apartBy();
             take();
         }
-        return now > 0 && isHeld(0, now, until, x, y, z, last, MOST_HALVINGS);
+        return now > 0 && isHeld(0, now, until, x, y, z, gapAtEnd, MOST_HALVINGS);
     }
 
     /**
@@ -424,22 +421,18 @@ public final class TimeOfImpact {
     private double look(double t) {
         a.move(t);
         b.move(t);
-        double d =
+        return seen(
                 narrowPhase.distance(
                         a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, apartX(),
-                        apartY(), apartZ());
-        return seen(d);
+                        apartY(), apartZ()));
     }
 
-    /** The same, at least. */
-    private double apartBy(double t) {
-        a.move(t);
-        b.move(t);
-        double d =
+    /** The same, at least, as they lie. */
+    private double apartBy() {
+        return seen(
                 narrowPhase.apartBy(
                         a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, apartX(),
-                        apartY(), apartZ());
-        return seen(d);
+                        apartY(), apartZ()));
     }
 
     private double seen(double d) {
