@@ -246,7 +246,7 @@ public final class RestDetector {
         double sag = softness * gravity * (step * step);
         double left = Math.max(LEFT * r, Math.min(STAYS * r, sag));
         // by its own fading, and by that of a sag, which a faster motion may have hidden
-        double stays = StrictMath.pow(1 - learning * Sag.times(sag, r), seconds[s] / step);
+        double stays = power(1 - learning * Sag.times(sag, r), (int) (seconds[s] / step + 0.5));
         double rise = learning > 0 ? Math.min(sag, moved * stays / (1 - stays)) : 0;
         boolean fades =
                 moved <= FADES * last && moved * moved <= left * (last - moved) && rise <= left;
@@ -312,5 +312,16 @@ public final class RestDetector {
                     default -> place[POSE * slot + at - 11];
                 };
         return Double.doubleToRawLongBits(value);
+    }
+
+    /** By squares: {@code StrictMath.pow} is loaded at its first call, which would be in a tick. */
+    private static double power(double base, int times) {
+        double all = 1;
+        double square = base;
+        for (int n = times; n > 0; n >>= 1) {
+            all *= (n & 1) != 0 ? square : 1;
+            square *= square;
+        }
+        return all;
     }
 }
