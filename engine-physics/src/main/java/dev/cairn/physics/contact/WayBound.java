@@ -2,7 +2,7 @@ package dev.cairn.physics.contact;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
-import dev.cairn.physics.internal.Rotations;
+import dev.cairn.physics.internal.KineticEnergy;
 
 /**
  * How far points of two colliders pass each other in a tick at most, from what bodies have at hand:
@@ -74,31 +74,16 @@ final class WayBound {
             return 0;
         }
         if (s.kind[body] == BodyStore.DYNAMIC) {
-            square = mostSquare(body, x, y, z);
+            square = mostSquare(body);
         }
         return (Math.sqrt(square) + BEND * square * step) * colliders.outerRadius[collider];
     }
 
-    private double mostSquare(int body, double x, double y, double z) {
+    /** {@code 2E trace J}. */
+    private double mostSquare(int body) {
         BodyStore s = colliders.bodies;
-        Rotations.rotate(
-                -s.orientationX[body],
-                -s.orientationY[body],
-                -s.orientationZ[body],
-                s.orientationW[body],
-                x,
-                y,
-                z,
-                w);
-        double energy =
-                s.inertiaXX[body] * w[0] * w[0]
-                        + s.inertiaYY[body] * w[1] * w[1]
-                        + s.inertiaZZ[body] * w[2] * w[2]
-                        + 2
-                                * (s.inertiaXY[body] * w[0] * w[1]
-                                        + s.inertiaXZ[body] * w[0] * w[2]
-                                        + s.inertiaYZ[body] * w[1] * w[2]);
-        return energy
+        return 2
+                * KineticEnergy.ofTurning(s, body, w)
                 * (s.inverseInertiaXX[body] + s.inverseInertiaYY[body] + s.inverseInertiaZZ[body]);
     }
 }

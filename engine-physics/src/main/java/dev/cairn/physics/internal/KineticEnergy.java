@@ -15,6 +15,11 @@ public final class KineticEnergy {
         double x = b.velocityX[slot];
         double y = b.velocityY[slot];
         double z = b.velocityZ[slot];
+        return 0.5 * ((x * x + y * y + z * z) / b.inverseMass[slot]) + ofTurning(b, slot, work);
+    }
+
+    /** The part of turning, see {@link #of}: {@code w I w/2}. */
+    public static double ofTurning(BodyStore b, int slot, double[] work) {
         Rotations.rotate(
                 -b.orientationX[slot],
                 -b.orientationY[slot],
@@ -27,14 +32,13 @@ public final class KineticEnergy {
         double u = work[0];
         double v = work[1];
         double w = work[2];
-        double turning =
-                b.inertiaXX[slot] * u * u
+        return 0.5
+                * (b.inertiaXX[slot] * u * u
                         + b.inertiaYY[slot] * v * v
                         + b.inertiaZZ[slot] * w * w
                         + 2
                                 * (b.inertiaXY[slot] * u * v
                                         + b.inertiaXZ[slot] * u * w
-                                        + b.inertiaYZ[slot] * v * w);
-        return 0.5 * ((x * x + y * y + z * z) / b.inverseMass[slot] + turning);
+                                        + b.inertiaYZ[slot] * v * w));
     }
 }
