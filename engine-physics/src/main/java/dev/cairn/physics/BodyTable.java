@@ -340,9 +340,7 @@ final class BodyTable implements Stateful {
         registry.state(s);
         s.section("references", this);
         int slots = bodies.slotCount;
-        if (s.isRestoring()) {
-            ensureSlots();
-        }
+        ensureSlots(); // slots of further colliders have no body, and may have come since
         BodyRef[] saved = s.array("refs", s.isRestoring() ? savedRefs : refs, slots);
         savedRefs = s.isRestoring() ? saved : savedRefs;
         userData = s.array("userData", userData, slots);

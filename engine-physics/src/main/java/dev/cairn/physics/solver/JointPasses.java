@@ -1,5 +1,6 @@
 package dev.cairn.physics.solver;
 
+import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.joint.Assembly;
@@ -88,9 +89,9 @@ final class JointPasses {
     void turn(SubStep sub, int from, int to, WorkerScratch local) {
         for (int a = from; a < to; a++) {
             open(sub, a, local);
-            local.joints.turn(refresh);
+            local.joints.turn(refresh, sub.seconds);
             boolean counts = !assemblies.at(a).isTaut();
-            local.joints.beginVelocity(counts, counts);
+            local.joints.beginVelocity(false, counts);
             show(assemblies.at(a));
             local.joints.sweeps(false);
         }
@@ -127,6 +128,20 @@ final class JointPasses {
             if (rows.isSingle) {
                 tick.body.add(i);
                 tick.body.round(i);
+            }
+            hold(i);
+        }
+    }
+
+    /** Sweeps do not know locked axes; joints would take what they did there for a movement. */
+    private void hold(int i) {
+        int locks = tick.bodies.motionFlags[i];
+        int o = SolverBodies.offset(i);
+        int w = (i + 1) * SolverBodies.HALF;
+        for (int c = 0; c < 3; c++) {
+            if ((locks >> c & 1) != 0) {
+                tick.body.mark[w + c] -= tick.body.state[o + c];
+                tick.body.state[o + c] = 0;
             }
         }
     }

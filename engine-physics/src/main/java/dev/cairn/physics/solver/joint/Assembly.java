@@ -125,6 +125,15 @@ public final class Assembly {
     /** Whether a motor or a spring acts in it. */
     boolean isDriven;
 
+    /** Time since the tick's begin that its poses are of, s: kinematic partners move by it. */
+    double time;
+
+    /**
+     * Root of the energy of motion that its bodies would have if they moved as one with a kinematic
+     * partner, J^(1/2); the sum over all of these that move.
+     */
+    double carriedRoot;
+
     /** Whether it has an account; that, and what it is measured by, J; see {@link JointEnergy}. */
     boolean keeps;
 
@@ -170,6 +179,9 @@ public final class Assembly {
 
     /** By row: what it measured when the sub-step began, before it was moved. */
     final double[] begun;
+
+    /** By row: the speed that a motor or a spring keeps while locks are solved anew. */
+    final double[] driven;
 
     /**
      * Edges of its contacts by the list of the tick: first those with static bodies, then those
@@ -320,6 +332,7 @@ public final class Assembly {
         taut = new double[9 * body.length];
         kept = new double[KEPT * body.length];
         begun = new double[n];
+        driven = new double[n];
         press = new double[SolverBodies.HALF * body.length];
     }
 }

@@ -30,6 +30,7 @@ abstract class AssemblyEquations {
                     new double[0]);
 
     final JointMath math = new JointMath();
+    private final MovingPartner partner = new MovingPartner();
     SolverContext tick = NONE;
     Assembly s = EMPTY;
     JointStore store = new JointStore();
@@ -50,6 +51,7 @@ abstract class AssemblyEquations {
         if (s.isFresh) {
             return;
         }
+        math.at(s.time, tick.step);
         for (int k = 0; k < s.joint.length; k++) {
             int j = s.joint[k];
             math.look(tick.bodies, tick.body.state, store, j, offset(k, 0), offset(k, 1));
@@ -66,7 +68,10 @@ abstract class AssemblyEquations {
         s.isFactored = false;
     }
 
-    /** Scales the derivatives of a row for one body; its share in the row's inverse mass. */
+    /**
+     * Scales the derivatives of a row for one body; its share in the row's inverse mass. An axis
+     * along which the body may not move has none.
+     */
     double scale(int r, int side, int o) {
         int at = JointMath.JACOBIAN * r + side;
         if (o == 0) {
@@ -77,9 +82,10 @@ abstract class AssemblyEquations {
         double root = Math.sqrt(tick.body.state[o + SolverBodies.MASS]);
         double[] l = tick.body.root;
         int q = o / SolverBodies.STRIDE * SolverBodies.ROOT;
+        int locks = tick.bodies.motionFlags[SolverBodies.slot(o)];
         double sum = 0;
         for (int c = 0; c < 3; c++) {
-            s.scaled[at + c] = root * d[at + c];
+            s.scaled[at + c] = (locks >> c & 1) != 0 ? 0 : root * d[at + c];
             s.scaled[at + 3 + c] =
                     l[q + c] * d[at + 3] + l[q + 3 + c] * d[at + 4] + l[q + 6 + c] * d[at + 5];
             sum += s.scaled[at + c] * s.scaled[at + c];
@@ -112,18 +118,32 @@ abstract class AssemblyEquations {
         tick.body.mark[o / SolverBodies.STRIDE * SolverBodies.HALF + c] += value;
     }
 
-    /** {@code J v}. */
+    /** {@code J v}, that of kinematic partners included. */
     double speed(int k, int r) {
         double[] v = tick.body.state;
         double sum = 0;
         for (int side = 0; side < 2; side++) {
             int o = offset(k, side);
             int at = JointMath.JACOBIAN * r + 6 * side;
-            double part = 0;
+            double part = o == 0 ? partnerSpeed(k, side, at) : 0;
             for (int c = 0; c < 3; c++) {
                 part += s.derivative[at + c] * v[o + c] + s.scaled[at + 3 + c] * v[o + 3 + c];
             }
             sum += side == 0 ? -part : part;
+        }
+        return sum;
+    }
+
+    /** What a kinematic partner adds to the speed of a row, at its derivatives. */
+    private double partnerSpeed(int k, int side, int at) {
+        int i = side == 0 ? store.bodyA[s.joint[k]] : store.bodyB[s.joint[k]];
+        if (s.carriedRoot == 0 || !MovingPartner.moves(tick.bodies, i)) {
+            return 0;
+        }
+        partner.speed(tick.bodies, i, s.time, tick.step);
+        double sum = 0;
+        for (int c = 0; c < 6; c++) {
+            sum += s.derivative[at + c] * partner.velocity[c];
         }
         return sum;
     }

@@ -52,6 +52,7 @@ public final class AssemblyFlight {
         boolean isFine = isSmooth && parts == 1 && s.body.length <= FEW && isReversible(tick, s);
         solve.open(tick, sub, store, s, isFine ? 8 * OUTER - 1 : 1);
         solve.findDrives();
+        solve.findCarriers();
         last = 0;
         double h = sub.seconds / parts;
         for (int k = 0; k < sub.count * parts; k++) {
@@ -97,6 +98,7 @@ public final class AssemblyFlight {
         solve.open(tick, sub, store, s);
         solve.release();
         last = 0;
+        double begun = s.time;
         SolverBodies body = tick.body;
         double h = sub.seconds;
         double[] g = tick.gravity;
@@ -120,6 +122,7 @@ public final class AssemblyFlight {
         for (int n = 0; n < s.body.length; n++) {
             leave(tick, s, n);
         }
+        s.time = begun;
         s.isFresh = false;
     }
 

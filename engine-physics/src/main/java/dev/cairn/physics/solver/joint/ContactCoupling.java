@@ -47,6 +47,9 @@ import java.util.Arrays;
 abstract class ContactCoupling extends PositionCorrection {
     private static final int SWEEPS = 100;
 
+    /** Give of a hard point, of the assembly's inverse mass, see {@link #carry}. */
+    private static final double HARD = 1e-3;
+
     /** Share of a change, of the largest impulse, at which points agree. */
     private static final double AGREES = 1e-9;
 
@@ -78,12 +81,15 @@ abstract class ContactCoupling extends PositionCorrection {
     private double[] coupling = new double[ROOM * ROOM];
 
     /**
-     * Whether sweeps and joints have left contacts of the assembly less than solved.
+     * Whether sweeps and joints have left contacts of the assembly less than solved. Not of what a
+     * kinematic body moves by a joint: if it presses the assembly against something, no impulse
+     * solves that, and the sweeps' own, which yield, are as large as they should be.
      *
      * @param soft as in the bias pass, before the movement; else as in the relax pass
      */
     boolean misses(ConstraintRows rows, SubStep sub, boolean soft) {
         return s.touchCount > 0
+                && s.carriedRoot == 0
                 && !rows.isSingle
                 && gather(rows, sub, soft) > LEFT * tick.weight() * sub.seconds;
     }
@@ -93,8 +99,10 @@ abstract class ContactCoupling extends PositionCorrection {
         gather(rows, sub, soft);
         factor(soft);
         couple(rows.doubles, rows.lanes);
+        double least = 1 / mass();
+        Arrays.fill(give, 0, points, HARD * least);
         if (soft) {
-            soften(rows, sub);
+            soften(rows, sub, least);
         }
         sweep(rows.doubles, rows.lanes);
         apply(rows.doubles, rows.lanes, !soft);
@@ -184,12 +192,18 @@ abstract class ContactCoupling extends PositionCorrection {
         }
     }
 
-    /** Masses of the assembly and of what it is solved with. */
-    private double mass(ConstraintRows rows) {
+    /** Mass of the assembly, kg. */
+    private double mass() {
         double sum = 0;
         for (int i : s.body) {
             sum += 1 / tick.body.state[SolverBodies.offset(i) + SolverBodies.MASS];
         }
+        return sum;
+    }
+
+    /** Masses of the assembly and of what it is solved with. */
+    private double mass(ConstraintRows rows) {
+        double sum = mass();
         for (int e = s.standCount; e < s.touchCount; e++) {
             int slot = freeSlot(rows, s.stand[e]);
             boolean isNew = true;
@@ -341,13 +355,13 @@ abstract class ContactCoupling extends PositionCorrection {
      * Goals of points that overlap: {@code v + rate s/massScale + give l = 0}, with the give of the
      * mass that the whole assembly is to the point.
      */
-    private void soften(ConstraintRows rows, SubStep sub) {
+    private void soften(ConstraintRows rows, SubStep sub, double least) {
         double[] d = rows.doubles;
         int lanes = rows.lanes;
         for (int p = 0; p < points; p++) {
             double gap = d[field[p] + SEPARATION * lanes];
             if (!(gap > sub.touch)) {
-                double k = coupling[p * points + p];
+                double k = Math.max(coupling[p * points + p], least);
                 boolean isFixed = free[p] == 0;
                 give[p] =
                         isFixed

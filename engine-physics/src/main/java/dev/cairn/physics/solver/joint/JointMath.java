@@ -57,6 +57,24 @@ public final class JointMath {
     private final double[] qb = new double[4];
     private final double[] g = new double[3];
 
+    /** Moment within the tick at which kinematic partners are looked at, s, and its length. */
+    private double time, step;
+
+    private final MovingPartner partner = new MovingPartner();
+    private final double[] shiftA = new double[3];
+    private final double[] shiftB = new double[3];
+
+    /**
+     * Chooses the moment of what follows: kinematic partners move within the tick, on their own.
+     *
+     * @param sinceBegin s
+     * @param stepSeconds length of the tick, s
+     */
+    void at(double sinceBegin, double stepSeconds) {
+        time = sinceBegin;
+        step = stepSeconds;
+    }
+
     /**
      * Reads the poses of a joint's bodies.
      *
@@ -68,16 +86,15 @@ public final class JointMath {
         int a = s.bodyA[j];
         int c = s.bodyB[j];
         int f = JointStore.FRAME * j;
-        frame(b, a, s.frame, f, qa, armA, axesA);
-        frame(b, c, s.frame, f + 7, qb, armB, axesB);
-        int p = SolverBodies.P;
-        reach[0] = b.apartX(a, c) + (state[ob + p] - state[oa + p]) + armB[0];
-        reach[1] = b.apartY(a, c) + (state[ob + p + 1] - state[oa + p + 1]) + armB[1];
-        reach[2] = b.apartZ(a, c) + (state[ob + p + 2] - state[oa + p + 2]) + armB[2];
+        place(b, state, a, oa, s.frame, f, qa, armA, axesA, shiftA);
+        place(b, state, c, ob, s.frame, f + 7, qb, armB, axesB, shiftB);
+        reach[0] = b.apartX(a, c) + (shiftB[0] - shiftA[0]) + armB[0];
+        reach[1] = b.apartY(a, c) + (shiftB[1] - shiftA[1]) + armB[1];
+        reach[2] = b.apartZ(a, c) + (shiftB[2] - shiftA[2]) + armB[2];
         for (int k = 0; k < 3; k++) {
             gap[k] = reach[k] - armA[k];
-            placeA[k] = state[oa + p + k] + armA[k];
-            placeB[k] = state[ob + p + k] + armB[k];
+            placeA[k] = shiftA[k] + armA[k];
+            placeB[k] = shiftB[k] + armB[k];
         }
         placeA[0] += b.positionX[a];
         placeA[1] += b.positionY[a];
@@ -109,13 +126,50 @@ public final class JointMath {
         axes[8] = 1 - 2 * (x * x + y * y);
     }
 
-    /** World frame of a joint in a body. */
+    /** World frame of a joint in a body, and how far that has moved since the tick's begin. */
+    private void place(
+            BodyStore b,
+            double[] state,
+            int i,
+            int offset,
+            double[] local,
+            int f,
+            double[] q,
+            double[] arm,
+            double[] axes,
+            double[] shift) {
+        if (offset == 0 && time != 0 && MovingPartner.moves(b, i)) {
+            partner.place(b, i, time, step);
+            shift[0] = partner.x;
+            shift[1] = partner.y;
+            shift[2] = partner.z;
+            double[] t = partner.turn;
+            frame(t[0], t[1], t[2], t[3], local, f, q, arm, axes);
+            return;
+        }
+        System.arraycopy(state, offset + SolverBodies.P, shift, 0, 3);
+        frame(
+                b.orientationX[i],
+                b.orientationY[i],
+                b.orientationZ[i],
+                b.orientationW[i],
+                local,
+                f,
+                q,
+                arm,
+                axes);
+    }
+
     private static void frame(
-            BodyStore b, int i, double[] local, int f, double[] q, double[] arm, double[] axes) {
-        double bx = b.orientationX[i];
-        double by = b.orientationY[i];
-        double bz = b.orientationZ[i];
-        double bw = b.orientationW[i];
+            double bx,
+            double by,
+            double bz,
+            double bw,
+            double[] local,
+            int f,
+            double[] q,
+            double[] arm,
+            double[] axes) {
         double px = local[f + 3];
         double py = local[f + 4];
         double pz = local[f + 5];

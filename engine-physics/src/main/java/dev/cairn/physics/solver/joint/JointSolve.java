@@ -141,7 +141,7 @@ public final class JointSolve extends PositionTrial {
 
     /** Begin of a tick: whether the assembly is solved as a {@link PointNet}. */
     void choose() {
-        s.isNet = s.mayBeNet() && nets.begin();
+        s.isNet = s.mayBeNet() && !isCarriedOrLocked() && nets.begin();
         s.isDirect = s.hasFactors && !s.isNet;
         s.standCount = s.isNet ? 0 : s.standCount;
         s.touchCount = s.isNet ? 0 : s.touchCount;
@@ -174,6 +174,7 @@ public final class JointSolve extends PositionTrial {
      */
     public void begin(SubStep sub) {
         choose();
+        findCarriers();
         if (!s.isNet) {
             derive();
         }
@@ -186,8 +187,10 @@ public final class JointSolve extends PositionTrial {
      * Bodies that have turned get the root of their present inertia, unless that was done.
      *
      * @param refresh has done it for those that have contacts
+     * @param seconds for which they have moved
      */
-    public void turn(JacobianRefresh refresh) {
+    public void turn(JacobianRefresh refresh, double seconds) {
+        s.time += seconds;
         for (int i : s.body) {
             if (!refresh.hasRenewedRow(i)) {
                 renew(tick, i);
@@ -249,10 +252,8 @@ public final class JointSolve extends PositionTrial {
         }
         changes = 0;
         activate(true);
-        double most = GAIN * kinetic();
-        if (!s.isRigid) {
-            note();
-        }
+        double most = most();
+        note();
         if (!s.isDirect) {
             approach(most);
             end(stay);

@@ -1,5 +1,6 @@
 package dev.cairn.physics.solver.joint;
 
+import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.solver.body.SolverBodies;
 
@@ -23,6 +24,66 @@ abstract class JointWork extends ContactCoupling {
                 s.isDriven |= store.role[r] >= JointStore.MOTOR;
             }
         }
+    }
+
+    /** Whether a joint ties it to a kinematic body that moves, or an axis of a body is locked. */
+    boolean isCarriedOrLocked() {
+        boolean moves = false;
+        for (int i : s.body) {
+            moves |= (tick.bodies.motionFlags[i] & ~BodyStore.DAMPED) != 0;
+        }
+        for (int j : s.joint) {
+            moves |= MovingPartner.moves(tick.bodies, store.bodyA[j]);
+            moves |= MovingPartner.moves(tick.bodies, store.bodyB[j]);
+        }
+        return moves;
+    }
+
+    /** Begin of a tick: what kinematic partners that move may give, see {@link #most}. */
+    void findCarriers() {
+        s.time = 0;
+        s.carriedRoot = 0;
+        BodyStore b = tick.bodies;
+        for (int k = 0; k < s.joint.length; k++) {
+            for (int side = 0; side < 2; side++) {
+                int i = side == 0 ? store.bodyA[s.joint[k]] : store.bodyB[s.joint[k]];
+                if (s.end[2 * k + side] < 0 && MovingPartner.moves(b, i)) {
+                    s.carriedRoot += Math.sqrt(carried(b, i));
+                }
+            }
+        }
+    }
+
+    /** At least the energy of motion of all bodies if they moved as one with body i, J. */
+    private double carried(BodyStore b, int i) {
+        double speed = SolverBodies.norm(b.velocityX[i], b.velocityY[i], b.velocityZ[i]);
+        double x = b.angularVelocityX[i];
+        double y = b.angularVelocityY[i];
+        double z = b.angularVelocityZ[i];
+        double spin = SolverBodies.norm(x, y, z);
+        double sum = 0;
+        for (int n : s.body) {
+            double inverse = tick.body.state[SolverBodies.offset(n) + SolverBodies.MASS];
+            double far = SolverBodies.norm(b.apartX(i, n), b.apartY(i, n), b.apartZ(i, n));
+            double size = spin * b.outerRadius[n];
+            double most = speed + spin * far;
+            sum += inverse > 0 ? (most * most + size * size) / inverse : 0;
+        }
+        return 0.5 * sum;
+    }
+
+    /**
+     * Energy of motion that impulses of joints may leave, J. The velocities that joints allow lie
+     * in a plane, and they take the nearest of it; one with a kinematic partner, with energy V, is
+     * in it. So {@code sqrt(K') <= sqrt(K) + 2 sqrt(V)}.
+     */
+    double most() {
+        double k = GAIN * kinetic();
+        if (s.carriedRoot == 0) {
+            return k;
+        }
+        double root = Math.sqrt(k) + 2 * s.carriedRoot;
+        return root * root;
     }
 
     /** Energy of all springs, J: {@code k x²/2} up to where their force ends, then straight on. */
@@ -67,11 +128,8 @@ abstract class JointWork extends ContactCoupling {
         System.arraycopy(s.firstImpulse, 0, s.impulse, 0, s.impulse.length);
     }
 
-    /** Makes them those of now, where limits, motors or springs act. */
+    /** Makes them those of now. Impulses that grew large leave rounding where they are taken off. */
     void takeBack() {
-        if (s.isRigid) {
-            return;
-        }
         comeBack();
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {

@@ -13,16 +13,20 @@ abstract class PositionTrial extends VelocityHalf {
     /** Whether contacts were just solved with the joints, so that {@code J(x) v = 0}. */
     boolean isHeld;
 
+    private double keptTime;
+
     /** Moves the bodies as the sub-step will. */
     void move() {
         double[] g = tick.gravity;
         for (int i : s.body) {
             Motion.drift(tick.bodies, tick.body, i, g[0], g[1], g[2], h);
         }
+        s.time += h;
     }
 
     void keep() {
         BodyStore b = tick.bodies;
+        keptTime = s.time;
         for (int n = 0; n < s.body.length; n++) {
             int i = s.body[n];
             int o = SolverBodies.offset(i);
@@ -40,6 +44,7 @@ abstract class PositionTrial extends VelocityHalf {
 
     void restore() {
         BodyStore b = tick.bodies;
+        s.time = keptTime;
         for (int n = 0; n < s.body.length; n++) {
             int i = s.body[n];
             int o = SolverBodies.offset(i);
@@ -57,6 +62,7 @@ abstract class PositionTrial extends VelocityHalf {
 
     /** What the rows measure in the poses of now. */
     void measure() {
+        math.at(s.time, tick.step);
         for (int k = 0; k < s.joint.length; k++) {
             int j = s.joint[k];
             math.look(tick.bodies, tick.body.state, store, j, offset(k, 0), offset(k, 1));
@@ -157,6 +163,10 @@ abstract class PositionTrial extends VelocityHalf {
             release();
             if (s.touchCount > 0) {
                 rest();
+                if (!(kinetic() <= most + work())) {
+                    takeBack();
+                    release();
+                }
             }
         }
     }
@@ -180,8 +190,16 @@ abstract class PositionTrial extends VelocityHalf {
         correct();
     }
 
-    /** Stops bodies where locks hold them, {@code J(x) v' = 0}, and lets limits be reached. */
+    /**
+     * Stops bodies where locks hold them, {@code J(x) v' = 0}, and lets limits be reached. Motors
+     * keep the speed that they have.
+     */
     void rest() {
+        for (int k = 0; k < s.joint.length && s.isDriven; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                s.driven[r] = speed(k, r);
+            }
+        }
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 if (store.role[row(k, r)] < JointStore.MOTOR) {
@@ -192,7 +210,7 @@ abstract class PositionTrial extends VelocityHalf {
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = row(k, r);
-                s.now[r] = store.role[row] < JointStore.MOTOR ? speed(k, r) : 0;
+                s.now[r] = speed(k, r) - (store.role[row] < JointStore.MOTOR ? 0 : s.driven[r]);
                 if (s.isActive[r] && store.role[row] == JointStore.LIMIT) {
                     double way = (store.held[row] < 0 ? store.lower[row] : store.upper[row]);
                     way -= s.start[r];

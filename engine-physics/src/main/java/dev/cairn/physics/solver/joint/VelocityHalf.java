@@ -114,7 +114,20 @@ abstract class VelocityHalf extends JointWork {
         }
     }
 
+    /** No more energy comes of it than most, or nothing is done: rows may contradict each other. */
     private void stop() {
+        boolean isGiven = s.carriedRoot > 0 || s.isDriven;
+        double most = isGiven ? most() : 0;
+        if (isGiven) {
+            note();
+        }
+        nullSpeeds();
+        if (isGiven && !(kinetic() <= most + work())) {
+            comeBack();
+        }
+    }
+
+    private void nullSpeeds() {
         changes = 0;
         double first = 0;
         for (int round = 0; round < ROUNDS; round++) {
