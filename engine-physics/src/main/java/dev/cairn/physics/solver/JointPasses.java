@@ -68,7 +68,7 @@ final class JointPasses {
             open(sub, a, local);
             local.joints.presses(true);
             if (assemblies.at(a).isTaut()) {
-                local.joints.moves(0.5);
+                local.joints.bear(sub, rows);
                 local.swing.cross(tick, sub, assemblies.store, assemblies.at(a));
             } else {
                 local.joints.position(sub, rows);

@@ -32,8 +32,8 @@ abstract class HoldingRows extends AssemblyEquations {
     int changes;
 
     /**
-     * Which rows hold at first: limits as they were, motors and springs unless they were at their
-     * most.
+     * Which rows hold at first: limits as they were, or if they are passed, motors and springs
+     * unless they were at their most.
      */
     void activate(boolean moves) {
         for (int k = 0; k < s.joint.length; k++) {
@@ -42,7 +42,8 @@ abstract class HoldingRows extends AssemblyEquations {
                 boolean bound = store.held[row] != 0;
                 s.isActive[r] =
                         switch (store.role[row]) {
-                                    case JointStore.LIMIT -> bound && isAt(k, r, row);
+                                    case JointStore.LIMIT ->
+                                            isPast(r, row) || (bound && isAt(k, r, row));
                                     case JointStore.MOTOR -> !bound;
                                     case JointStore.SPRING -> moves && !bound && isSprung(r, row);
                                     default -> true;
@@ -122,6 +123,35 @@ abstract class HoldingRows extends AssemblyEquations {
     }
 
     /**
+     * Lets limits hold that what was just given drives bodies past, and go that would pull; whether
+     * any has changed. After the first rounds none goes: two could take turns without end, and one
+     * that pulls only takes energy away.
+     *
+     * @param moves whether bodies are still to be moved, to where {@link Assembly#now} was measured
+     * @param round from 1
+     */
+    boolean meet(boolean moves, int round) {
+        boolean changed = false;
+        for (int k = 0; k < s.joint.length; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                int row = row(k, r);
+                if (store.role[row] == JointStore.LIMIT) {
+                    s.now[r] = moves ? s.now[r] : s.start[r] + Math.abs(h) * speed(k, r);
+                    changed |= (moves || s.isActive[r] || isAtEdge(r, row)) && limit(k, r, row, round <= GUESSES);
+                }
+            }
+        }
+        return changed;
+    }
+
+    /** Whether it is where a limit begins. */
+    private boolean isAtEdge(int r, int row) {
+        double tiny = tiny(JointMath.isAngle(store.law[row]));
+        double high = store.upper[row] - s.start[r];
+        return high <= tiny || s.start[r] - store.lower[row] <= tiny;
+    }
+
+    /**
      * Impulse with which motors press the axis of a limit against it. A motor that drives its axis
      * into a limit stands still, and the limit holds both ways: what it pulls is the motor's.
      */
@@ -183,6 +213,15 @@ abstract class HoldingRows extends AssemblyEquations {
             set(k, r, s.isActive[r] ? 0 : way * most);
         }
         return stands != stood;
+    }
+
+    /** Whether what moved a body, or another limit of it that came first, has led past a limit. */
+    private boolean isPast(int r, int row) {
+        double tiny = tiny(JointMath.isAngle(store.law[row]));
+        boolean high = s.start[r] - store.upper[row] > tiny;
+        boolean is = high || store.lower[row] - s.start[r] > tiny;
+        store.held[row] = (byte) (!is ? store.held[row] : high ? 1 : -1);
+        return is;
     }
 
     /**

@@ -326,14 +326,37 @@ public final class JointSolve extends PositionTrial {
         position(sub.seconds, false);
         if (misses(rows, sub, true)) {
             presses(false);
-            rest();
-            carry(rows, sub, true);
+            land(rows, sub);
             isHeld = true;
             position(sub.seconds, false);
             isHeld = false;
             presses(true);
         }
         moves(0);
+    }
+
+    /**
+     * Contacts of a taut assembly, before it is moved in smaller steps: joints act on the way, but
+     * what it stands on stops all of it at once.
+     *
+     * @param rows of the contacts
+     */
+    public void bear(SubStep sub, ConstraintRows rows) {
+        h = sub.seconds;
+        release();
+        if (s.touchCount > 0) {
+            presses(false);
+            activate(true);
+            rest();
+            if (misses(rows, sub, true)) {
+                land(rows, sub);
+                // a blow that was handed on is done, and no load of the steps
+                Arrays.fill(s.impulse, 0.0);
+            }
+            release();
+            presses(true);
+        }
+        moves(0.5);
     }
 
     /**

@@ -4,6 +4,8 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.solver.body.Motion;
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.SubStep;
 
 /**
  * A trial of the position half: the bodies moved with the impulses so far, what joints lack there,
@@ -188,6 +190,24 @@ abstract class PositionTrial extends VelocityHalf {
         residuals();
         factor(true);
         correct();
+    }
+
+    /** Solves what the assembly stands on, with its joints and the limits that it is driven into. */
+    void land(ConstraintRows rows, SubStep sub) {
+        for (int round = 1; ; round++) {
+            rest();
+            carry(rows, sub, true);
+            if (s.isRigid || round == MEETINGS) {
+                return;
+            }
+            keep();
+            move();
+            measure();
+            restore();
+            if (!meet(true, round)) {
+                return;
+            }
+        }
     }
 
     /**

@@ -11,6 +11,9 @@ import dev.cairn.physics.solver.row.SubStep;
 abstract class VelocityHalf extends JointWork {
     static final int ROUNDS = 12;
 
+    /** Rounds in which limits and contacts are sought that hold together. */
+    static final int MEETINGS = 8;
+
     /** Share of what joints do not allow that may be left of it: the next half closes joints. */
     private static final double STOPPED = 1e-9;
 
@@ -46,6 +49,10 @@ abstract class VelocityHalf extends JointWork {
         }
         sweeps(false);
         carry(rows, sub, soft);
+        for (int round = 1; round < MEETINGS && meet(false, round); round++) {
+            halt();
+            carry(rows, sub, soft);
+        }
         sweeps(true);
         return true;
     }
@@ -132,16 +139,7 @@ abstract class VelocityHalf extends JointWork {
         double first = 0;
         for (int round = 0; round < ROUNDS; round++) {
             boolean changed = round > 0 && letGo();
-            double worst = 0;
-            for (int k = 0; k < s.joint.length; k++) {
-                for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                    int row = row(k, r);
-                    boolean isDriven = store.role[row] == JointStore.MOTOR;
-                    double miss = speed(k, r) - (isDriven ? store.target[row] : 0);
-                    s.now[r] = s.isActive[r] ? miss : 0;
-                    worst = Math.max(worst, Math.abs(s.now[r]));
-                }
-            }
+            double worst = speeds();
             first = Math.max(first, worst);
             if (!changed && (worst <= STOPPED * first || round > (s.isDirect ? 2 : 0))) {
                 return;
@@ -149,6 +147,28 @@ abstract class VelocityHalf extends JointWork {
             factor(false);
             correct();
         }
+    }
+
+    /** Writes the speeds that rows do not allow to {@link Assembly#now}; the largest. */
+    private double speeds() {
+        double worst = 0;
+        for (int k = 0; k < s.joint.length; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                int row = row(k, r);
+                boolean isDriven = store.role[row] == JointStore.MOTOR;
+                double miss = speed(k, r) - (isDriven ? store.target[row] : 0);
+                s.now[r] = s.isActive[r] ? miss : 0;
+                worst = Math.max(worst, Math.abs(s.now[r]));
+            }
+        }
+        return worst;
+    }
+
+    /** Takes what rows do not allow from the velocities, once. */
+    private void halt() {
+        speeds();
+        factor(false);
+        correct();
     }
 
     /**
