@@ -63,8 +63,7 @@ final class LimbsOnGroundTest {
                 turn.transform(way);
                 Vector3d at = new Vector3d(way).mul(2.2 * HALF).add(centre);
                 BodyRef limb =
-                        world.add(
-                                moving(Capsule.of(RADIUS, HALF), at, along, speed).mass(0.08));
+                        world.add(moving(Capsule.of(RADIUS, HALF), at, along, speed).mass(0.08));
                 at.set(way).mul(HALF).add(centre);
                 limbs.add(limb);
                 joints.add(
@@ -96,8 +95,7 @@ final class LimbsOnGroundTest {
         }
     }
 
-    private static Body moving(
-            Shape shape, Vector3d at, Quaterniond turn, Vector3d speed) {
+    private static Body moving(Shape shape, Vector3d at, Quaterniond turn, Vector3d speed) {
         return Body.dynamic()
                 .shape(shape)
                 .at(at.x, at.y, at.z)

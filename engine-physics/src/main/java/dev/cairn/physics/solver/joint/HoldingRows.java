@@ -137,7 +137,9 @@ abstract class HoldingRows extends AssemblyEquations {
                 int row = row(k, r);
                 if (store.role[row] == JointStore.LIMIT) {
                     s.now[r] = moves ? s.now[r] : s.start[r] + Math.abs(h) * speed(k, r);
-                    changed |= (moves || s.isActive[r] || isAtEdge(r, row)) && limit(k, r, row, round <= GUESSES);
+                    changed |=
+                            (moves || s.isActive[r] || isAtEdge(r, row))
+                                    && limit(k, r, row, round <= GUESSES);
                 }
             }
         }

@@ -192,7 +192,9 @@ abstract class PositionTrial extends VelocityHalf {
         correct();
     }
 
-    /** Solves what the assembly stands on, with its joints and the limits that it is driven into. */
+    /**
+     * Solves what the assembly stands on, with its joints and the limits that it is driven into.
+     */
     void land(ConstraintRows rows, SubStep sub) {
         for (int round = 1; ; round++) {
             rest();
