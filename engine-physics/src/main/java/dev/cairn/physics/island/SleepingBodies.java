@@ -318,7 +318,10 @@ public final class SleepingBodies {
         } while (s != slot);
     }
 
-    /** Wakes bodies that are bound to one that is awake by another edge than a contact. */
+    /**
+     * Wakes bodies that are bound by another edge than a contact to one that is awake, or to one
+     * that moves of itself.
+     */
     public void wakeLinked() {
         int before;
         do {
@@ -337,9 +340,9 @@ public final class SleepingBodies {
                 continue;
             }
             int b = source.edgeB(i);
-            if (kind[a] == BodyStore.DYNAMIC) {
+            if (kind[a] == BodyStore.DYNAMIC || bodies.isMoved(a)) {
                 wake(b);
-            } else if (kind[b] == BodyStore.DYNAMIC) {
+            } else if (kind[b] == BodyStore.DYNAMIC || bodies.isMoved(b)) {
                 wake(a);
             }
         }

@@ -137,7 +137,7 @@ abstract class AssemblyEquations {
     /** What a kinematic partner adds to the speed of a row, at its derivatives. */
     private double partnerSpeed(int k, int side, int at) {
         int i = side == 0 ? store.bodyA[s.joint[k]] : store.bodyB[s.joint[k]];
-        if (s.carriedRoot == 0 || !MovingPartner.moves(tick.bodies, i)) {
+        if (s.carriedRoot == 0 || !tick.bodies.isMoved(i)) {
             return 0;
         }
         partner.speed(tick.bodies, i, s.time, tick.step);

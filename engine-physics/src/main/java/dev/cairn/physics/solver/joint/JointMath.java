@@ -138,7 +138,7 @@ public final class JointMath {
             double[] arm,
             double[] axes,
             double[] shift) {
-        if (offset == 0 && time != 0 && MovingPartner.moves(b, i)) {
+        if (offset == 0 && time != 0 && b.isMoved(i)) {
             partner.place(b, i, time, step);
             shift[0] = partner.x;
             shift[1] = partner.y;

@@ -33,8 +33,8 @@ abstract class JointWork extends ContactCoupling {
             moves |= (tick.bodies.motionFlags[i] & ~BodyStore.DAMPED) != 0;
         }
         for (int j : s.joint) {
-            moves |= MovingPartner.moves(tick.bodies, store.bodyA[j]);
-            moves |= MovingPartner.moves(tick.bodies, store.bodyB[j]);
+            moves |= tick.bodies.isMoved(store.bodyA[j]);
+            moves |= tick.bodies.isMoved(store.bodyB[j]);
         }
         return moves;
     }
@@ -47,7 +47,7 @@ abstract class JointWork extends ContactCoupling {
         for (int k = 0; k < s.joint.length; k++) {
             for (int side = 0; side < 2; side++) {
                 int i = side == 0 ? store.bodyA[s.joint[k]] : store.bodyB[s.joint[k]];
-                if (s.end[2 * k + side] < 0 && MovingPartner.moves(b, i)) {
+                if (s.end[2 * k + side] < 0 && b.isMoved(i)) {
                     s.carriedRoot += Math.sqrt(carried(b, i));
                 }
             }

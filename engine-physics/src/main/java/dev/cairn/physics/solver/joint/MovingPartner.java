@@ -25,17 +25,6 @@ final class MovingPartner {
     /** Velocity, m/s, and angular velocity, rad/s. */
     final double[] velocity = new double[6];
 
-    /** Whether a body is kinematic and moves. */
-    static boolean moves(BodyStore b, int i) {
-        return b.kind[i] == BodyStore.KINEMATIC
-                && (b.velocityX[i] != 0
-                        || b.velocityY[i] != 0
-                        || b.velocityZ[i] != 0
-                        || b.angularVelocityX[i] != 0
-                        || b.angularVelocityY[i] != 0
-                        || b.angularVelocityZ[i] != 0);
-    }
-
     /**
      * Finds where body {@code i} is.
      *
