@@ -99,7 +99,8 @@ public final class SingleBody {
             window.close(rows, row);
             return;
         }
-        SingleContact.agree(guide, rows.rolling, bodies, sub, gain, place, row, i, mixing, scratch);
+        SingleContact.agree(
+                guide, rows.rolling, bodies, sub, gain, place, row, i, mixing, scratch);
         Motion.keep(tick.bodies, bodies, i);
         EnergyBound.end(tick.bodies, bodies, i, guide, rows.rolling, place, row);
         window.close(rows, row);

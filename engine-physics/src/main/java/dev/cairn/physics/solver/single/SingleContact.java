@@ -42,7 +42,7 @@ final class SingleContact {
      * Sweeps over the normals to one over friction, which costs more than all of them: what is left
      * to agree is then how the two depend on each other.
      */
-    private static final int NORMAL_SWEEPS = 12;
+    private static final int NORMAL_SWEEPS = 6;
 
     private SingleContact() {}
 
@@ -133,7 +133,7 @@ final class SingleContact {
         int b = rows.link[l + 1];
         int n = rows.link[l + ConstraintRows.COUNT];
         int o = rows.base(j);
-        ScalarSweep.hard(d, o, lanes, body, a, b, n, sub, NORMAL_SWEEPS, CommonStep.HARD, st);
+        ScalarSweep.hard(d, o, lanes, body, a, b, n, sub, 3 * sub.landingSweeps, CommonStep.HARD, st);
         double worst = 0;
         for (int p = 0; p < n; p++) {
             double change = st[Scratch.CHANGE + p];
