@@ -11,9 +11,9 @@ public final class MotionRecord {
      * Doubles to a body of {@link SolverBodies#motion}, world: velocity at the start; velocity that
      * moved it; angular velocity at the start, then what was added to it before the body turned;
      * angular velocity after the turn; then what a pinned corner needs; then what the energy bound
-     * needs; then the impulses of its contact.
+     * needs.
      */
-    public static final int STRIDE = 39;
+    public static final int STRIDE = 30;
 
     /** Movement, angular velocity and orientation at the start. */
     public static final int START = 12;
@@ -31,9 +31,6 @@ public final class MotionRecord {
      * Six numbers, weighted as the state is: velocity of a sub-step without what contacts do in it.
      */
     public static final int FREE = 24;
-
-    /** Nine impulses of the contact, as they were at the start. */
-    public static final int IMPULSES = 30;
 
     private MotionRecord() {}
 

@@ -24,9 +24,7 @@ import dev.cairn.physics.solver.row.RollingRows;
  * <p>Problem: normals tilt a sliding block, friction follows the normals, and each sweep leaves a
  * share of the error of the one before, from a sixth at friction 0.05 to a third at 0.6. To agree
  * within 1e-12 took 13 to 27 sweeps, which were half the tick of bodies that slide alone. With
- * leaps it takes 6 to 8: a block tilts about two axes, so the error has two directions. From the
- * impulses of the last sub-step on ({@link #goBack}), with normals that agree among themselves in
- * each sweep, it takes two, and four for what rolls up.
+ * leaps it takes 6 to 8: a block tilts about two axes, so the error has two directions.
  *
  * <p>Let a sweep lead from the impulses x to g(x), and f = g(x) - x, with differences to the sweep
  * before {@code df, dg}, and those of that sweep {@code df', dg'}. If f were linear, the leap
@@ -76,54 +74,6 @@ final class AndersonStep {
     /** Another row. */
     void begin() {
         sweeps = 0;
-    }
-
-    /**
-     * Start of a sub-step: the impulses on which the last one agreed.
-     *
-     * @param place of the row, in {@code rows} and in its rolling friction
-     */
-    static void remember(ConstraintRows rows, int place, double[] to, int at) {
-        int o = rows.base(place);
-        int lanes = rows.lanes;
-        int points = rows.points(place);
-        for (int p = 0; p < NORMALS; p++) {
-            int q = o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes;
-            to[at + p] = p < points ? rows.get(q) : 0;
-        }
-        for (int f = 0; f < 3; f++) {
-            to[at + FRICTION + f] = rows.get(o + (LAMBDA + f) * lanes);
-        }
-        boolean rolls = rows.rolling.has(place);
-        for (int k = 0; k < 2; k++) {
-            to[at + ROLL + k] = rolls ? rows.rolling.get(place, RollingRows.LAMBDA + k) : 0;
-        }
-    }
-
-    /**
-     * Before the first sweep: leaps to where the last sub-step ended. What slides or rolls steadily
-     * is there already, and the bias pass has led it away by a thousandth.
-     *
-     * @param from impulses of {@link #remember}, from index {@code first} on
-     */
-    void goBack(
-            ConstraintRows rows,
-            int place,
-            RollingRows rolling,
-            int at,
-            double[] body,
-            double[] from,
-            int first) {
-        read(rows, place, rolling, at, end);
-        for (int i = 0; i < SIZE; i++) {
-            leap[i] = from[first + i] - end[i];
-        }
-        for (int p = 0; p < rows.points(place); p++) {
-            if (!(end[p] > 0 && from[first + p] > 0)) {
-                return;
-            }
-        }
-        give(rows, place, rolling, at, body);
     }
 
     /**

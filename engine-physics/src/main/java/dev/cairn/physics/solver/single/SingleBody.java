@@ -43,8 +43,6 @@ public final class SingleBody {
         SolverBodies bodies = tick.body;
         int row = rows.list.place[bodies.guide[i]];
         MotionRecord.start(bodies, i);
-        AndersonStep.remember(
-                rows, row, bodies.motion, MotionRecord.STRIDE * i + MotionRecord.IMPULSES);
         if (refresh.hasRenewedRow(i) && rim.begin(tick, rows, row, i, sub, refresh)) {
             return;
         }
@@ -100,7 +98,7 @@ public final class SingleBody {
             return;
         }
         SingleContact.agree(
-                guide, rows.rolling, bodies, sub, gain, place, row, i, mixing, scratch);
+                guide, rows.rolling, bodies.state, sub, gain, place, row, i, mixing, scratch);
         Motion.keep(tick.bodies, bodies, i);
         EnergyBound.end(tick.bodies, bodies, i, guide, rows.rolling, place, row);
         window.close(rows, row);

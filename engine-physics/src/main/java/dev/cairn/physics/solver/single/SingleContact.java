@@ -1,6 +1,5 @@
 package dev.cairn.physics.solver.single;
 
-import dev.cairn.physics.solver.body.MotionRecord;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.kernel.CommonStep;
 import dev.cairn.physics.solver.kernel.RollingFriction;
@@ -38,12 +37,6 @@ final class SingleContact {
     /** Turn in a sub-step, rad: of what turns farther, the bias pass must agree, too. */
     private static final double FAR = 0.01;
 
-    /**
-     * Sweeps over the normals to one over friction, which costs more than all of them: what is left
-     * to agree is then how the two depend on each other.
-     */
-    private static final int NORMAL_SWEEPS = 6;
-
     private SingleContact() {}
 
     /**
@@ -57,7 +50,7 @@ final class SingleContact {
     static void agree(
             ConstraintRows rows,
             RollingRows rolling,
-            SolverBodies bodies,
+            double[] body,
             SubStep sub,
             double gain,
             int place,
@@ -65,13 +58,10 @@ final class SingleContact {
             int i,
             AndersonStep mixing,
             Scratch scratch) {
-        double[] body = bodies.state;
         if (!moves(body, SolverBodies.offset(i), STILL * gain)) {
             return;
         }
         mixing.begin();
-        int last = MotionRecord.STRIDE * i + MotionRecord.IMPULSES;
-        mixing.goBack(rows, place, rolling, at, body, bodies.motion, last);
         for (int k = 0; k < sub.lone; k++) {
             mixing.start(rows, place, rolling, at);
             double change = again(rows, body, sub, place, scratch.doubles);
@@ -133,7 +123,7 @@ final class SingleContact {
         int b = rows.link[l + 1];
         int n = rows.link[l + ConstraintRows.COUNT];
         int o = rows.base(j);
-        ScalarSweep.hard(d, o, lanes, body, a, b, n, sub, 3 * sub.landingSweeps, CommonStep.HARD, st);
+        ScalarSweep.hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, CommonStep.HARD, st);
         double worst = 0;
         for (int p = 0; p < n; p++) {
             double change = st[Scratch.CHANGE + p];

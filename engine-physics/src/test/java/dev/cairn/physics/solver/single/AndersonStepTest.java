@@ -144,44 +144,6 @@ class AndersonStepTest {
         return in(unknown < 4 ? ConstraintRows.SUM + unknown : ConstraintRows.TOTAL + unknown - 4);
     }
 
-    /** What led away from the impulses of the last sub-step is taken back, from bodies too. */
-    @Test
-    void backToWhereTheLastSubStepEnded() {
-        begin();
-        double[] kept = new double[2 + 9];
-        AndersonStep.remember(rows, 0, kept, 2);
-        double[] before = row.clone();
-        double[] still = body.clone();
-        double lambda = 0.25;
-        row[at(0)] += lambda;
-        for (int axis = 0; axis < 3; axis++) {
-            int arm = ConstraintRows.POINT + ConstraintRows.ARM_B + axis;
-            body[BODY + axis] += 0.3 * lambda * row[in(axis)];
-            body[BODY + 3 + axis] += lambda * row[in(arm)];
-        }
-        new AndersonStep().goBack(rows, 0, rows.rolling, 0, body, kept, 2);
-        for (int i = 0; i < SIZE; i++) {
-            assertEquals(before[at(i)], row[at(i)], 1e-15, "unknown " + i);
-        }
-        for (int axis = 0; axis < 6; axis++) {
-            assertEquals(still[BODY + axis], body[BODY + axis], 1e-15, "velocity, axis " + axis);
-        }
-    }
-
-    /** A point that did not press does not press because a leap says so. */
-    @Test
-    void noWayBackWhereAPointLetGo() {
-        begin();
-        double[] kept = new double[9];
-        AndersonStep.remember(rows, 0, kept, 0);
-        row[at(2)] = 0;
-        double[] before = row.clone();
-        new AndersonStep().goBack(rows, 0, rows.rolling, 0, body, kept, 0);
-        for (int i = 0; i < SIZE; i++) {
-            assertEquals(before[at(i)], row[at(i)], 0.0, "unknown " + i);
-        }
-    }
-
     /** Where sweeps lead away nothing is leapt. */
     @Test
     void nothingIsLeaptWhereSweepsLeadAway() {
