@@ -46,8 +46,7 @@ class KinematicPartnerTest {
             try (PhysicsWorld world = world(1)) {
                 world.setGravity(0, 0, 0);
                 BodyRef carrier =
-                        world.add(
-                                Body.kinematic().shape(Sphere.of(0.1)).velocity(speed, 0, 0));
+                        world.add(Body.kinematic().shape(Sphere.of(0.1)).velocity(speed, 0, 0));
                 BodyRef body = world.add(box(1, 0).velocity(speed, 0, 0));
                 JointRef joint = world.add(kind.apply(carrier, body));
                 for (int t = 0; t < 120; t++) {
@@ -70,9 +69,7 @@ class KinematicPartnerTest {
                 world.setGravity(0, 0, 0);
                 BodyRef carrier =
                         world.add(
-                                Body.kinematic()
-                                        .shape(Sphere.of(0.1))
-                                        .angularVelocity(0, spin, 0));
+                                Body.kinematic().shape(Sphere.of(0.1)).angularVelocity(0, spin, 0));
                 BodyRef body =
                         world.add(box(1, 0).velocity(0, 0, -spin).angularVelocity(0, spin, 0));
                 JointRef joint = world.add(kind.apply(carrier, body));

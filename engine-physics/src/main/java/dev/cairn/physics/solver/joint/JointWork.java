@@ -128,7 +128,9 @@ abstract class JointWork extends ContactCoupling {
         System.arraycopy(s.firstImpulse, 0, s.impulse, 0, s.impulse.length);
     }
 
-    /** Makes them those of now. Impulses that grew large leave rounding where they are taken off. */
+    /**
+     * Makes them those of now. Impulses that grew large leave rounding where they are taken off.
+     */
     void takeBack() {
         comeBack();
         for (int k = 0; k < s.joint.length; k++) {
