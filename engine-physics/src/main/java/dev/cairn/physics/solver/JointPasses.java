@@ -91,7 +91,7 @@ final class JointPasses {
             open(sub, a, local);
             local.joints.turn(refresh, sub.seconds);
             boolean counts = !assemblies.at(a).isTaut();
-            local.joints.beginVelocity(false, counts);
+            local.joints.beginVelocity(counts);
             show(assemblies.at(a));
             local.joints.sweeps(false);
         }

@@ -194,7 +194,7 @@ public final class AssemblyFlight {
         for (int i : s.body) {
             JointSolve.renew(tick, i);
         }
-        solve.beginVelocity(!s.isDirect, true);
+        solve.beginVelocity(true);
         solve.velocity(h, true, isStruck);
     }
 }

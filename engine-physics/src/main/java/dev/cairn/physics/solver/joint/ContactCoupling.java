@@ -47,7 +47,7 @@ import java.util.Arrays;
 abstract class ContactCoupling extends PositionCorrection {
     private static final int SWEEPS = 100;
 
-    /** Give of a hard point, of the assembly's inverse mass, see {@link #carry}. */
+    /** Give of a hard point over the inverse of the whole mass. */
     private static final double HARD = 1e-3;
 
     /** Share of a change, of the largest impulse, at which points agree. */
@@ -94,12 +94,16 @@ abstract class ContactCoupling extends PositionCorrection {
                 && gather(rows, sub, soft) > LEFT * tick.weight() * sub.seconds;
     }
 
-    /** Solves them. */
+    /**
+     * Solves them. Points yield by at least what the whole mass would, a hard one by a share of
+     * that: joints may leave a point no way at all, and what cannot be reached, as where a body is
+     * wedged, would ask for impulses without end.
+     */
     void carry(ConstraintRows rows, SubStep sub, boolean soft) {
         gather(rows, sub, soft);
         factor(soft);
         couple(rows.doubles, rows.lanes);
-        double least = 1 / mass();
+        double least = 1 / mass(rows);
         Arrays.fill(give, 0, points, HARD * least);
         if (soft) {
             soften(rows, sub, least);
@@ -192,18 +196,12 @@ abstract class ContactCoupling extends PositionCorrection {
         }
     }
 
-    /** Mass of the assembly, kg. */
-    private double mass() {
+    /** Masses of the assembly and of what it is solved with. */
+    private double mass(ConstraintRows rows) {
         double sum = 0;
         for (int i : s.body) {
             sum += 1 / tick.body.state[SolverBodies.offset(i) + SolverBodies.MASS];
         }
-        return sum;
-    }
-
-    /** Masses of the assembly and of what it is solved with. */
-    private double mass(ConstraintRows rows) {
-        double sum = mass();
         for (int e = s.standCount; e < s.touchCount; e++) {
             int slot = freeSlot(rows, s.stand[e]);
             boolean isNew = true;

@@ -220,12 +220,12 @@ public final class JointSolve extends PositionTrial {
     }
 
     @Override
-    public void beginVelocity(boolean warm, boolean counts) {
+    public void beginVelocity(boolean counts) {
         if (s.isNet) {
             boolean isBound = s.keeps && counts;
-            nets.beginVelocity(warm && counts, isBound ? GAIN : Double.POSITIVE_INFINITY);
+            nets.beginVelocity(counts, isBound ? GAIN : Double.POSITIVE_INFINITY);
         } else {
-            super.beginVelocity(warm, counts);
+            super.beginVelocity(counts);
         }
     }
 

@@ -58,12 +58,13 @@ abstract class VelocityHalf extends JointWork {
     }
 
     /**
-     * After the bodies have moved, and their roots are those of their present orientation.
+     * After the bodies have moved, and their roots are those of their present orientation. What is
+     * solved by factors begins without impulses: they would be taken up by contacts, given again in
+     * the next half, and grow where both can bear the same load.
      *
-     * @param warm whether to begin with the impulses of the last sub-step
      * @param counts whether what is found are the impulses of the sub-step
      */
-    public void beginVelocity(boolean warm, boolean counts) {
+    public void beginVelocity(boolean counts) {
         System.arraycopy(s.start, 0, s.begun, 0, s.start.length);
         s.isFresh = false;
         derive();
@@ -73,7 +74,7 @@ abstract class VelocityHalf extends JointWork {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = row(k, r);
                 byte role = store.role[row];
-                double first = warm && s.isActive[r] ? store.after[row] : 0;
+                double first = !s.isDirect && s.isActive[r] ? store.after[row] : 0;
                 first = role == JointStore.SPRING ? store.after[row] : first;
                 first = role == JointStore.MOTOR && !s.isActive[r] ? store.before[row] : first;
                 s.impulse[r] = 0;
