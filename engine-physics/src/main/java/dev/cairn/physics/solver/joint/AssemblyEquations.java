@@ -51,7 +51,7 @@ abstract class AssemblyEquations {
         if (s.isFresh) {
             return;
         }
-        math.at(s.time, tick.step);
+        math.at(s.carriedRoot > 0 ? s.time : 0, tick.step);
         for (int k = 0; k < s.joint.length; k++) {
             int j = s.joint[k];
             math.look(tick.bodies, tick.body.state, store, j, offset(k, 0), offset(k, 1));

@@ -141,7 +141,7 @@ public final class JointSolve extends PositionTrial {
 
     /** Begin of a tick: whether the assembly is solved as a {@link PointNet}. */
     void choose() {
-        s.isNet = s.mayBeNet() && !isCarriedOrLocked() && nets.begin();
+        s.isNet = s.mayBeNet() && !isCarried() && !isLocked() && nets.begin();
         s.isDirect = s.hasFactors && !s.isNet;
         s.standCount = s.isNet ? 0 : s.standCount;
         s.touchCount = s.isNet ? 0 : s.touchCount;

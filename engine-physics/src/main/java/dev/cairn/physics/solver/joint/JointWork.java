@@ -16,6 +16,9 @@ abstract class JointWork extends ContactCoupling {
      */
     static final double GAIN = 1.05;
 
+    /** Of {@link BodyStore#motionFlags}: axes along and about which a body may not move. */
+    private static final int LOCKS = 63;
+
     /** Begin of a tick: whether a motor or a spring acts. */
     void findDrives() {
         s.isDriven = false;
@@ -26,12 +29,9 @@ abstract class JointWork extends ContactCoupling {
         }
     }
 
-    /** Whether a joint ties it to a kinematic body that moves, or an axis of a body is locked. */
-    boolean isCarriedOrLocked() {
+    /** Whether a joint ties it to a kinematic body that moves. */
+    boolean isCarried() {
         boolean moves = false;
-        for (int i : s.body) {
-            moves |= (tick.bodies.motionFlags[i] & ~BodyStore.DAMPED) != 0;
-        }
         for (int j : s.joint) {
             moves |= tick.bodies.isMoved(store.bodyA[j]);
             moves |= tick.bodies.isMoved(store.bodyB[j]);
@@ -39,10 +39,26 @@ abstract class JointWork extends ContactCoupling {
         return moves;
     }
 
-    /** Begin of a tick: what kinematic partners that move may give, see {@link #most}. */
+    /** Whether an axis of a body is locked. */
+    boolean isLocked() {
+        boolean locked = false;
+        for (int i : s.body) {
+            locked |= (tick.bodies.motionFlags[i] & LOCKS) != 0;
+        }
+        return locked;
+    }
+
+    /**
+     * Begin of a tick: what kinematic partners that move may give, see {@link #most}. With locked
+     * axes they are taken to stand where the tick begins: they may ask for what locks forbid, and
+     * what is not reached is closed aside, without a speed.
+     */
     void findCarriers() {
         s.time = 0;
         s.carriedRoot = 0;
+        if (isLocked()) {
+            return;
+        }
         BodyStore b = tick.bodies;
         for (int k = 0; k < s.joint.length; k++) {
             for (int side = 0; side < 2; side++) {
