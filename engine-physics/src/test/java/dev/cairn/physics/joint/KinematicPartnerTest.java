@@ -108,7 +108,7 @@ class KinematicPartnerTest {
                 wagon.moveTo(way, 0, 0);
                 world.step(STEP);
                 Vector3d at = plumb.position(new Vector3d()).sub(way, 0, 0);
-                assertEquals(0, at.distance(x, y, 0), 1e-3, "tick " + t);
+                assertEquals(0, at.distance(x, y, 0), 1e-11, "tick " + t);
                 assertTrue(joint.gap() < 1e-10, "tick " + t);
             }
         }

@@ -6,11 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -106,5 +108,32 @@ final class PendulumTest {
             high = f < 0 ? high : s;
         }
         return 0.5 * (low + high);
+    }
+
+    /**
+     * A pendulum under a trolley that may only go along x: the rail does no work, and momentum
+     * along it is kept.
+     */
+    @Test
+    void underATrolleyOnARail() {
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).sleeping(false).build()) {
+            BodyRef trolley =
+                    world.add(Body.dynamic().shape(Box.cubeOfEdge(0.2)).mass(2).at(0, 2, 0));
+            trolley.setLocks(Lock.MOVE_Y, Lock.MOVE_Z, Lock.TURN_X, Lock.TURN_Y, Lock.TURN_Z);
+            BodyRef bob = world.add(Body.dynamic().shape(Sphere.of(0.05)).mass(1).at(0.5, 1, 0));
+            JointRef joint = world.add(Joint.ball(trolley, bob).at(0, 2, 0));
+            double energy = world.kineticEnergy() + world.potentialEnergy();
+            for (int t = 1; t <= 300; t++) {
+                world.step(1.0 / 60);
+                Vector3d at = trolley.position(new Vector3d());
+                assertEquals(2, at.y, 0, "tick " + t);
+                assertTrue(joint.gap() < 1e-10, "tick " + t + ": " + joint.gap());
+                double momentum =
+                        2 * trolley.velocity(new Vector3d()).x + bob.velocity(new Vector3d()).x;
+                assertEquals(0, momentum, 1e-11, "tick " + t);
+                double now = world.kineticEnergy() + world.potentialEnergy();
+                assertEquals(energy, now, 1e-3, "tick " + t);
+            }
+        }
     }
 }

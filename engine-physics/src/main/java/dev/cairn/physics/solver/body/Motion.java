@@ -261,6 +261,10 @@ public final class Motion {
             vx -= half * (k * gx + m * b.forceX[i]);
             vy -= half * (k * gy + m * b.forceY[i]);
             vz -= half * (k * gz + m * b.forceZ[i]);
+            int locks = b.motionFlags[i];
+            vx = (locks & 1) != 0 ? 0 : vx;
+            vy = (locks & 2) != 0 ? 0 : vy;
+            vz = (locks & 4) != 0 ? 0 : vz;
         } else if (s.guide[i] >= 0) {
             MotionRecord.moves(s, i, vx, vy, vz);
         }
