@@ -3,9 +3,9 @@ package dev.cairn.physics;
 /**
  * Is told what happened to contacts and sensors in a step, after it, on the thread that called it:
  * so it may change the world. The order is part of the contract: ends of shapes, ends of bodies,
- * begins of bodies, begins of shapes, then hits of shapes, hits of bodies, visitors that left
- * sensors, visitors that entered; each list in the order of {@link Contacts}. See {@link
- * Contacts#listen}.
+ * begins of bodies, begins of shapes, then hits of shapes, hits of bodies, visitors that entered
+ * sensors, visitors that left (so that what flew through enters first); each list in the order of
+ * {@link Contacts}. See {@link Contacts#listen}.
  */
 public interface ContactListener {
     /**
@@ -58,18 +58,18 @@ public interface ContactListener {
     default void bodiesHit(Contacts.Hits hits, int hit) {}
 
     /**
-     * A collider has left a sensor, or one of the two is gone. Each had entered.
-     *
-     * @param sensor the sensor
-     * @param visitor the body that was in it
-     */
-    default void left(ColliderRef sensor, ColliderRef visitor) {}
-
-    /**
      * A collider has entered a sensor.
      *
      * @param sensor the sensor
      * @param visitor the body that is in it, or flew through it within the step
      */
     default void entered(ColliderRef sensor, ColliderRef visitor) {}
+
+    /**
+     * A collider has left a sensor, or one of the two is gone. Each had entered.
+     *
+     * @param sensor the sensor
+     * @param visitor the body that was in it
+     */
+    default void left(ColliderRef sensor, ColliderRef visitor) {}
 }

@@ -58,8 +58,22 @@ final class ContactView implements Contacts {
         bodiesEnded.take(refs, touches.ended);
         entered.take(refs, sensors.entered);
         left.take(refs, sensors.left);
+        cancel(sensors.dropped());
         hits.take(refs);
         bodiesHit.take(refs);
+    }
+
+    /** Visitors whose row went and came again within the tick were in all the time. */
+    private void cancel(int dropped) {
+        int rest = dropped;
+        for (int i = 0; i < entered.size && rest > 0; i++) {
+            int same = left.find(entered.pairs[2 * i], entered.pairs[2 * i + 1], rest);
+            if (same >= 0) {
+                entered.remove(i--);
+                left.remove(same);
+                rest--;
+            }
+        }
     }
 
     /** Between steps: what a listener does may change the world. */
@@ -84,11 +98,11 @@ final class ContactView implements Contacts {
             for (int i = 0; i < bodiesHit.count(); i++) {
                 listener.bodiesHit(bodiesHit, i);
             }
-            for (int i = 0; i < left.count(); i++) {
-                listener.left(left.colliderA(i), left.colliderB(i));
-            }
             for (int i = 0; i < entered.count(); i++) {
                 listener.entered(entered.colliderA(i), entered.colliderB(i));
+            }
+            for (int i = 0; i < left.count(); i++) {
+                listener.left(left.colliderA(i), left.colliderB(i));
             }
         }
     }
@@ -270,6 +284,21 @@ final class ContactView implements Contacts {
             for (int i = 0; i < list.count(); i++) {
                 add(refs.ref(list.collider(i, 0)), refs.ref(list.collider(i, 1)));
             }
+        }
+
+        /** Where a pair is among the first ones, or -1. */
+        final int find(ColliderRef a, ColliderRef b, int among) {
+            for (int i = 0; i < among; i++) {
+                if (pairs[2 * i] == a && pairs[2 * i + 1] == b) {
+                    return i;
+                }
+            }
+            return -1;
+        }
+
+        final void remove(int event) {
+            size--;
+            System.arraycopy(pairs, 2 * event + 2, pairs, 2 * event, 2 * (size - event));
         }
 
         final void add(ColliderRef a, ColliderRef b) {

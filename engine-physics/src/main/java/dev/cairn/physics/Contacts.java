@@ -153,8 +153,9 @@ public interface Contacts {
 
     /**
      * The bodies that entered a sensor in the last step; also those that flew through it within the
-     * step, which are among {@link #left} too. {@code A} is the sensor, {@code B} the body that
-     * entered.
+     * step, which are among {@link #left} too: who reads both lists, reads this one first. {@code
+     * A} is the sensor, {@code B} the body that entered. Who is in before and after a change of
+     * shapes or colliders has neither left nor entered.
      *
      * @return the same view each time
      */

@@ -60,6 +60,9 @@ public final class SensorStage implements Stateful {
     /** Sensors, and the visitors that entered or left them. */
     public final PairList entered = new PairList(), left = new PairList();
 
+    /** How many of {@link #left} went with their rows, before bodies moved; they come first. */
+    private int dropped;
+
     /** Without sensors. */
     public SensorStage(ColliderStore colliders, BroadPhase broadPhase) {
         this.colliders = colliders;
@@ -75,6 +78,16 @@ public final class SensorStage implements Stateful {
     public void clear() {
         entered.clear();
         left.clear();
+        dropped = 0;
+    }
+
+    /**
+     * How many of {@link #left}, the first ones, left because their row did. A row also goes when a
+     * collider gets another number or another box, and comes again in the same tick: what is among
+     * these and entered, by the same colliders, was in all the time.
+     */
+    public int dropped() {
+        return dropped;
     }
 
     /** Whether a pair of colliders is the sensors' business. */
@@ -116,6 +129,7 @@ public final class SensorStage implements Stateful {
             columns(new Columns.Growth(count));
         }
         columns(kept.of(s, count, sensor.length, false));
+        dropped = s.count("dropped", dropped);
         entered.state(s);
         left.state(s);
     }
@@ -144,6 +158,7 @@ public final class SensorStage implements Stateful {
             kept++;
         }
         count = kept;
+        dropped = left.count();
     }
 
     /** Looks what is in; after the bodies have moved and their colliders with them. */

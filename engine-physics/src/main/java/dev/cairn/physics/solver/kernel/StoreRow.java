@@ -45,7 +45,8 @@ public final class StoreRow implements RowStore {
             int p = ContactStore.POINTS * source + k;
             int q = POINT + k * POINT_FIELDS;
             contacts.normalImpulse[p] = d[o + (q + IMPULSE) * lanes];
-            contacts.totalNormalImpulse[p] = d[o + (SUM + k) * lanes];
+            // what was taken back leaves a rounding of either sign
+            contacts.totalNormalImpulse[p] = Math.max(0, d[o + (SUM + k) * lanes]);
         }
     }
 

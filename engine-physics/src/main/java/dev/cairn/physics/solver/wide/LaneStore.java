@@ -252,7 +252,8 @@ final class LaneStore implements RowStore {
         int count = rows.link[j * LINK + COUNT];
         for (int i = 0; i < count; i++) {
             c.normalImpulse[first + i] = d[o + (POINT + i * POINT_FIELDS + IMPULSE) * L];
-            c.totalNormalImpulse[first + i] = d[o + (SUM + i) * L];
+            // what was taken back leaves a rounding of either sign
+            c.totalNormalImpulse[first + i] = Math.max(0, d[o + (SUM + i) * L]);
             if (knows) {
                 c.preload[first + i] = st[KNOWN + i * L + l];
             }
