@@ -11,6 +11,7 @@ import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.state.RigidBody;
+import dev.cairn.physics.state.SupportLoads;
 
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;
@@ -125,7 +126,11 @@ final class BodyAccess {
         b.velocityX[s] += wy * rotated[2] - wz * rotated[1];
         b.velocityY[s] += wz * rotated[0] - wx * rotated[2];
         b.velocityZ[s] += wx * rotated[1] - wy * rotated[0];
+        double share = b.inverseMass[s] * p.mass();
         table.setMass(s, p, isUnmoved(s));
+        if (share > 0 && share < 1 && !isUnmoved(s)) {
+            SupportLoads.lighten(table.contacts, s, share);
+        }
     }
 
     /** R I⁻¹ Rᵀ. */
@@ -186,7 +191,11 @@ final class BodyAccess {
 
     void setGravityScale(int s, double factor) {
         wakeIf(bodies.gravityScale[s] != Checks.finite("gravityScale", factor), s);
+        double before = bodies.gravityScale[s];
         bodies.gravityScale[s] = factor;
+        if (before > 0 && factor < before && !isUnmoved(s)) {
+            SupportLoads.lighten(table.contacts, s, Math.max(0, factor / before));
+        }
     }
 
     void setDamping(int s, double linear, double angular) {

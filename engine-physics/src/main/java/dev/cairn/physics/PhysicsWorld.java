@@ -30,6 +30,7 @@ import dev.cairn.physics.prediction.BodyPredictor;
 import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.shape.ShapeCodecs;
 import dev.cairn.physics.state.RigidBody;
+import dev.cairn.physics.state.SupportLoads;
 
 import org.joml.Vector3dc;
 
@@ -443,10 +444,22 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
         requireOpen("setGravity");
         if (x != physics.gravityX || y != physics.gravityY || z != physics.gravityZ) {
             physics.wakeAll();
+            weaken(x, y, z);
         }
         physics.gravityX = x;
         physics.gravityY = y;
         physics.gravityZ = z;
+    }
+
+    /** What contacts know of loads goes with the gravity, as far as it becomes less. */
+    private void weaken(double x, double y, double z) {
+        double gx = physics.gravityX;
+        double gy = physics.gravityY;
+        double gz = physics.gravityZ;
+        double share = (x * gx + y * gy + z * gz) / (gx * gx + gy * gy + gz * gz);
+        if (share < 1) { // of none before, it is no number, and nothing is known
+            SupportLoads.weaken(physics.table.contacts, Math.max(0, share));
+        }
     }
 
     /**

@@ -30,8 +30,8 @@ class RandomLifeTest {
         try (PhysicsWorld one = world(1, 1);
                 PhysicsWorld three = world(3, 4);
                 PhysicsWorld later = world(2, 4)) {
-            RandomUser first = new RandomUser(one);
-            RandomUser second = new RandomUser(three);
+            RandomUser first = new RandomUser(one, seed);
+            RandomUser second = new RandomUser(three, seed);
             first.begin(seed);
             second.begin(seed);
             int saved = 20 + (int) (seed % 50);
@@ -57,8 +57,8 @@ class RandomLifeTest {
                     throw new AssertionError(where + ":" + first.done, failed);
                 }
             }
+            RandomUser again = new RandomUser(later, seed); // its rules are no part of a state
             later.restore(state);
-            RandomUser again = new RandomUser(later);
             for (int t = saved; t < ticks; t++) {
                 again.act(seed, t);
                 later.step(RandomUser.step(seed, t));

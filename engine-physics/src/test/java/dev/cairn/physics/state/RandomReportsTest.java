@@ -87,7 +87,7 @@ class RandomReportsTest {
     private void live(long seed, int ticks) {
         PhysicsSettings settings = PhysicsSettings.DEFAULT.withLanes(1);
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).settings(settings).build()) {
-            RandomUser user = new RandomUser(world);
+            RandomUser user = new RandomUser(world, seed);
             user.begin(seed);
             Told told = new Told();
             world.contacts().listen(told);
@@ -105,7 +105,7 @@ class RandomReportsTest {
                 world.step(RandomUser.step(seed, t));
                 sleep(world, still, asleep);
                 contacts(world, told);
-                sensors(world, told, apart);
+                sensors(world, told, apart, user.rules);
                 queries(world, new SplittableRandom(seed * 1000 + t));
             }
         }
@@ -191,7 +191,7 @@ class RandomReportsTest {
         return apart;
     }
 
-    private void sensors(PhysicsWorld world, Told told, Set<Set<Long>> apart) {
+    private void sensors(PhysicsWorld world, Told told, Set<Set<Long>> apart, RandomRules rules) {
         List<ColliderRef> all = colliders(world);
         Set<List<ColliderRef>> inside = new HashSet<>();
         for (ColliderRef s : all) {
@@ -201,6 +201,7 @@ class RandomReportsTest {
                 if (!s.isSensor()
                         || v.isSensor()
                         || a == b
+                        || rules.excludes(a, b)
                         || !s.filter().meets(v.filter())
                         || apart.contains(Set.of(a.entity(), b.entity()))) {
                     continue;

@@ -39,13 +39,15 @@ final class RandomUser {
     private static final int MOST_BODIES = 24;
 
     private final PhysicsWorld world;
+    final RandomRules rules;
     private SplittableRandom random = new SplittableRandom();
 
     /** What was done at the last tick, for messages. */
     final StringBuilder done = new StringBuilder();
 
-    RandomUser(PhysicsWorld world) {
+    RandomUser(PhysicsWorld world, long seed) {
         this.world = world;
+        rules = new RandomRules(world, seed);
     }
 
     /** What there is at first: a floor, a wall that may be moved, some bodies. */
@@ -95,7 +97,7 @@ final class RandomUser {
 
     private void one() {
         List<BodyRef> bodies = world.bodies();
-        int kind = random.nextInt(40);
+        int kind = random.nextInt(40 + RandomRules.KINDS);
         if (kind < 5 && bodies.size() < MOST_BODIES) {
             note("add");
             world.add(body());
@@ -240,10 +242,11 @@ final class RandomUser {
                 note("setGravity");
                 world.setGravity(0.2 * near(), random.nextInt(4) == 0 ? 0 : -9.81, 0.2 * near());
             }
-            default -> {
+            case 39 -> {
                 note("setSubsteps");
                 world.setSubsteps(1 + random.nextInt(8));
             }
+            default -> done.append(rules.change(kind - 40, random, body));
         }
     }
 
