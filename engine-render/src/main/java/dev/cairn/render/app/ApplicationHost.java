@@ -40,6 +40,11 @@ final class ApplicationHost implements Simulation.Host {
         application.updated(seconds);
     }
 
+    @Override
+    public boolean beginsAgainAfter(RuntimeException failure) {
+        return application.scene().beginsAgainAfter(failure);
+    }
+
     /** Runs all ticks; false if this thread was interrupted meanwhile. */
     static boolean runToEnd(Simulation running) {
         running.start();

@@ -15,6 +15,7 @@ import dev.cairn.render.mesh.ModelGroup;
 
 import java.util.Objects;
 import java.util.Set;
+import java.util.function.Predicate;
 
 /**
  * What an application shows: a world of bodies, how they look, the camera, the light and the key
@@ -28,6 +29,7 @@ public final class Scene {
     private final Controls controls;
     private volatile Light light = Light.DAYLIGHT;
     private volatile String title;
+    private Predicate<RuntimeException> failed = failure -> false;
 
     Scene(PhysicsWorld physics, Camera camera, Bindings bindings, String title) {
         this.physics = physics;
@@ -62,6 +64,24 @@ public final class Scene {
     public Scene onDrive(Drive.Listener listener) {
         controls.listener(Objects.requireNonNull(listener, "listener"));
         return this;
+    }
+
+    /**
+     * Has somebody asked what to do when a tick fails: a hook threw, or a number of the scene was
+     * too large for the world. Without an answer the window is closed.
+     *
+     * @param goesOn gets what was thrown, on the simulation thread; says whether the world is to be
+     *     thrown away and made anew, as by {@link Application#restart}; whoever says so may want to
+     *     pause, since what failed may fail again
+     * @return this
+     */
+    public Scene onFailure(Predicate<RuntimeException> goesOn) {
+        failed = Objects.requireNonNull(goesOn, "goesOn");
+        return this;
+    }
+
+    boolean beginsAgainAfter(RuntimeException failure) {
+        return failed.test(failure);
     }
 
     /**

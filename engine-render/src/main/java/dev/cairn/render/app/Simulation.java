@@ -30,6 +30,11 @@ final class Simulation {
 
         /** After the step, before it is published. */
         default void updated(double seconds) {}
+
+        /** A tick has failed; whether the scene is to be made anew, rather than all to end. */
+        default boolean beginsAgainAfter(RuntimeException failure) {
+            return false;
+        }
     }
 
     private final Host host;
@@ -59,7 +64,7 @@ final class Simulation {
      */
     Simulation(Host host, double stepSeconds, long ticksInAll) {
         this.host = host;
-        this.loop = new TickLoop(stepSeconds, this::tick);
+        this.loop = new TickLoop(stepSeconds, this::tickOrBeginAgain);
         this.thread = new Thread(() -> run(stepSeconds, ticksInAll), "cairn-simulation");
         // A scene that never returns from update must not keep the program alive once its window is
         // gone.
@@ -128,6 +133,18 @@ final class Simulation {
             double untilDue = (1 - loop.alpha()) * stepSeconds / Math.max(loop.timeScale(), 1e-3);
             LockSupport.parkNanos(
                     Math.clamp((long) (untilDue * 1e9), SHORTEST_PARK_NANOS, LONGEST_PARK_NANOS));
+        }
+    }
+
+    private void tickOrBeginAgain(double seconds) {
+        beginAgainIfAsked(); // what fails in here would fail again
+        try {
+            tick(seconds);
+        } catch (RuntimeException failed) {
+            if (!host.beginsAgainAfter(failed)) {
+                throw failed;
+            }
+            restarting = true;
         }
     }
 

@@ -1,5 +1,7 @@
 package dev.cairn.render.camera;
 
+import org.joml.Vector3d;
+
 /**
  * The light of a scene: one sun and a sky. The colour that a surface of colour {@code a} and unit
  * normal {@code n} sends out is {@code a * (ambient(n) + sun * max(0, n . s) * visible)}, with
@@ -50,7 +52,7 @@ public record Light(
 
     /** Checks the ranges. */
     public Light {
-        double length = Math.sqrt(sunX * sunX + sunY * sunY + sunZ * sunZ);
+        double length = length(sunX, sunY, sunZ);
         if (!(length > 0) || Double.isInfinite(length)) {
             throw new IllegalArgumentException(
                     "sun direction is ("
@@ -205,6 +207,22 @@ public record Light(
                 horizon,
                 hazeMetres,
                 shadows);
+    }
+
+    /**
+     * The direction to the sun.
+     *
+     * @param dest receives the unit vector, world frame
+     * @return {@code dest}
+     */
+    public Vector3d towardsSun(Vector3d dest) {
+        double length = length(sunX, sunY, sunZ);
+        return dest.set(sunX / length, sunY / length, sunZ / length);
+    }
+
+    /** Of any finite vector: squares of small or large numbers are 0 or infinite. */
+    private static double length(double x, double y, double z) {
+        return Math.hypot(Math.hypot(x, y), z);
     }
 
     private static void checkLight(String name, double value) {

@@ -112,7 +112,7 @@ public final class SceneRenderer implements AutoCloseable {
         instances.update(snapshot, eye, ShadowCascades.CASTER_LIMIT, tint);
         Vector3d anchor = instances.anchor();
         eye.sub(anchor);
-        sun.set(light.sunX(), light.sunY(), light.sunZ()).normalize();
+        light.towardsSun(sun);
 
         ShadowCascades shadows = light.shadows() ? shadowMap(target) : null;
         instances.bind();

@@ -132,6 +132,47 @@ class SimulationTest {
         assertTrue(simulation.isOver());
     }
 
+    /** The first world fails at its fifth tick; what throws in its place is asked for. */
+    @Test
+    void aWorldThatFailsIsMadeAnewIfTheSceneSaysSo() throws InterruptedException {
+        for (boolean goesOn : new boolean[] {true, false}) {
+            AtomicInteger worlds = new AtomicInteger();
+            Flight flight =
+                    new Flight() {
+                        @Override
+                        public PhysicsWorld createPhysics() {
+                            worlds.incrementAndGet();
+                            return super.createPhysics();
+                        }
+
+                        @Override
+                        public void update(double seconds) {
+                            if (updates.incrementAndGet() == 5) {
+                                throw new IllegalStateException("the fifth");
+                            }
+                        }
+
+                        @Override
+                        public boolean beginsAgainAfter(RuntimeException failure) {
+                            assertEquals("the fifth", failure.getMessage());
+                            return goesOn;
+                        }
+                    };
+            Simulation simulation = new Simulation(flight, 1.0 / 240, -1);
+            simulation.start();
+            if (goesOn) {
+                await(() -> flight.updates.get() > 20 || simulation.isOver());
+                simulation.stop();
+                simulation.rethrow();
+                assertEquals(2, worlds.get());
+            } else {
+                simulation.await();
+                assertThrows(IllegalStateException.class, simulation::rethrow);
+                assertEquals(1, worlds.get());
+            }
+        }
+    }
+
     @Test
     void headlessRunDoesExactlyTheTicksAskedFor() throws InterruptedException {
         Flight flight = new Flight();

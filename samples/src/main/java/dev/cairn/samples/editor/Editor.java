@@ -257,11 +257,6 @@ public final class Editor {
         }
     }
 
-    /** The window went to another scene by itself; closes the editor without asking for one. */
-    public void left() {
-        mode = Mode.CLOSED;
-    }
-
     // Edits ------------------------------------------------------------------------------------
 
     /**
@@ -457,13 +452,18 @@ public final class Editor {
     // Messages ---------------------------------------------------------------------------------
 
     void say(String text) {
-        message = text;
+        message = oneLine(text);
         wrong = false;
         files.forget();
     }
 
     void fail(String text) {
-        message = text.replaceAll("\\s*\\R\\s*", " ");
+        message = oneLine(text);
         wrong = true;
+    }
+
+    /** Names of things and files may have line feeds. */
+    private static String oneLine(String text) {
+        return text.replaceAll("\\s*\\R\\s*", " ");
     }
 }

@@ -168,7 +168,12 @@ final class Ground {
             q.transform(normal);
             Xyz at = ground.position();
             Sizes sizes = Sizes.of(ground);
-            point = q.transform(new Vector3d(0, sizes.high().y(), 0)).add(at.x(), at.y(), at.z());
+            point =
+                    q.transform(new Vector3d(0, sizes.high().y(), 0))
+                            .add(
+                                    Sizes.bounded(at.x()),
+                                    Sizes.bounded(at.y()),
+                                    Sizes.bounded(at.z()));
             for (Vector3d corner : sizes.corners(at, turn)) {
                 lowX = Math.min(lowX, corner.x);
                 highX = Math.max(highX, corner.x);

@@ -34,6 +34,12 @@ record Sizes(Xyz low, Xyz high) {
     /** A half-space is shown as a square of this half width, m. */
     private static final double GROUND_HALF = 5;
 
+    /**
+     * What is beyond this counts as being there, m: sums and products of boxes stay numbers, and
+     * nobody sees the difference.
+     */
+    private static final double FARTHEST = 1e30;
+
     /** The camera goes no nearer than to a ball of this radius, m. */
     private static final double LEAST_RADIUS = 0.1;
 
@@ -45,7 +51,7 @@ record Sizes(Xyz low, Xyz high) {
         List<Vector3d> corners = new ArrayList<>();
         for (PartSpec part : entity.parts()) {
             Xyz at = part.position();
-            Xyz place = new Xyz(at.x() * s.x(), at.y() * s.x(), at.z() * s.x());
+            Xyz place = bounded(at.x() * s.x(), at.y() * s.x(), at.z() * s.x());
             corners.addAll(List.of(of(part.shape(), s).corners(place, part.rotation())));
         }
         return around(corners);
@@ -89,7 +95,7 @@ record Sizes(Xyz low, Xyz high) {
                             radius * s.z());
             case GroundShape() -> around(GROUND_HALF, 0, GROUND_HALF);
             case MovedShape(ShapeSpec inner, Xyz at, Turn turn) -> {
-                Xyz place = new Xyz(at.x() * s.x(), at.y() * s.x(), at.z() * s.x());
+                Xyz place = bounded(at.x() * s.x(), at.y() * s.x(), at.z() * s.x());
                 yield around(List.of(of(inner, s).corners(place, turn)));
             }
             case MeshShape mesh -> around(0.5 * s.x(), 0.5 * s.y(), 0.5 * s.z());
@@ -118,7 +124,7 @@ record Sizes(Xyz low, Xyz high) {
     }
 
     private static Sizes around(double x, double y, double z) {
-        return new Sizes(new Xyz(-x, -y, -z), new Xyz(x, y, z));
+        return new Sizes(bounded(-x, -y, -z), bounded(x, y, z));
     }
 
     private static Sizes around(List<Vector3d> points) {
@@ -128,7 +134,17 @@ record Sizes(Xyz low, Xyz high) {
             low.min(point);
             high.max(point);
         }
-        return new Sizes(new Xyz(low.x, low.y, low.z), new Xyz(high.x, high.y, high.z));
+        return new Sizes(bounded(low.x, low.y, low.z), bounded(high.x, high.y, high.z));
+    }
+
+    /** Products of what a file may say have no end. */
+    private static Xyz bounded(double x, double y, double z) {
+        return new Xyz(bounded(x), bounded(y), bounded(z));
+    }
+
+    /** A coordinate that sums and products may be made of. */
+    static double bounded(double metres) {
+        return Math.clamp(metres, -FARTHEST, FARTHEST);
     }
 
     /** The eight corners in the world; bit 0, 1, 2 of the index: high in x, y, z. */
@@ -142,7 +158,10 @@ record Sizes(Xyz low, Xyz high) {
                                             (i & 1) == 0 ? low.x() : high.x(),
                                             (i & 2) == 0 ? low.y() : high.y(),
                                             (i & 4) == 0 ? low.z() : high.z()))
-                            .add(position.x(), position.y(), position.z());
+                            .add(
+                                    bounded(position.x()),
+                                    bounded(position.y()),
+                                    bounded(position.z()));
         }
         return corners;
     }

@@ -1,6 +1,7 @@
 package dev.cairn.samples.sandbox;
 
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.editor.Editor;
 import dev.cairn.samples.editor.Stage;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneLoader;
@@ -27,7 +28,10 @@ final class EditorStage implements Stage {
     record Shown(SceneFile scene, Path folder, boolean playing, boolean places) {}
 
     private final Sandbox sandbox;
-    private final AtomicReference<@Nullable Shown> asked = new AtomicReference<>();
+    private final AtomicReference<@Nullable Wish> asked = new AtomicReference<>();
+
+    /** What is wanted: a scene, or none in the place of those of the list. */
+    private record Wish(@Nullable Shown shown) {}
 
     // The simulation thread's own.
     private @Nullable Shown shown;
@@ -43,16 +47,16 @@ final class EditorStage implements Stage {
     @Override
     public void rest(SceneFile scene, Path folder, boolean places) {
         sandbox.setPaused(true);
-        ask(new Shown(scene, folder, false, places));
+        ask(new Wish(new Shown(scene, folder, false, places)));
     }
 
     @Override
     public void play(SceneFile scene, Path folder) {
-        ask(new Shown(scene, folder, true, false));
+        ask(new Wish(new Shown(scene, folder, true, false)));
         sandbox.setPaused(false);
     }
 
-    private void ask(Shown what) {
+    private void ask(Wish what) {
         if (asked.getAndSet(what) == null) {
             sandbox.post(this::take);
         }
@@ -60,23 +64,27 @@ final class EditorStage implements Stage {
 
     @Override
     public void leave() {
-        asked.set(null);
-        sandbox.post(() -> {
-            shown = null;
-            sandbox.restart();
-        });
+        // Through the same door: what was asked for after it must not come before it.
+        ask(new Wish(null));
         sandbox.setPaused(false);
     }
 
     // Simulation thread ------------------------------------------------------------------------
 
     private void take() {
-        Shown next = asked.getAndSet(null);
-        if (next == null) {
+        Wish wish = asked.getAndSet(null);
+        if (wish == null) {
             return;
         }
+        Shown next = wish.shown();
         Shown before = shown;
         shown = next;
+        if (next == null) {
+            if (before != null) { // else the scenes of the list are there already
+                sandbox.restart();
+            }
+            return;
+        }
         if (before == null || before.playing() || next.playing() || next.places()) {
             // From the beginning, with files as they are now.
             assets = new SceneLoader.Assets();
@@ -91,9 +99,25 @@ final class EditorStage implements Stage {
         return shown;
     }
 
-    /** Gives way to the scenes of the list. */
+    /**
+     * Gives way to the scenes of the list. The window's thread may have asked for another one just
+     * now, so that the editor is to be closed as well, which asks for none.
+     */
     void forget() {
         shown = null;
+    }
+
+    /**
+     * No numbers are too large for a scene, and some are for a world: when that fails, the scene
+     * begins anew and waits, and what was edited is not lost with the window.
+     */
+    boolean goesOnAfter(RuntimeException failure) {
+        sandbox.setPaused(true);
+        sandbox.notice("The world failed and begins anew: " + failure.getMessage());
+        if (shown != null) {
+            sandbox.editorPanels().ask(Editor::stop);
+        }
+        return true;
     }
 
     /** Whether the world must not move. */

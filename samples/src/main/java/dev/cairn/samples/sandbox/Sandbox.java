@@ -242,7 +242,7 @@ public class Sandbox extends Application {
             bound = true;
         }
         scene.physics().profile().enable();
-        scene.onDrive(diary::drive);
+        scene.onDrive(diary::drive).onFailure(stage::goesOnAfter);
         hand.release();
         history.clear();
         thrower.begin();
@@ -284,7 +284,7 @@ public class Sandbox extends Application {
         choice.show(index);
         if (stage.shown() != null) {
             stage.forget();
-            editorPanels.ask(Editor::left);
+            editorPanels.ask(Editor::close);
             setPaused(false);
         }
         restart();

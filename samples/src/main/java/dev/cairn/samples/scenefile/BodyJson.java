@@ -9,7 +9,6 @@ import dev.cairn.physics.Material;
 import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.collider.Mix;
-import dev.cairn.samples.scenefile.ShapeSpec.As;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 
 import org.jspecify.annotations.Nullable;
@@ -135,12 +134,8 @@ final class BodyJson {
                         : node.required(in, "colliders").items("a list of colliders");
         for (int i = 0; i < parts.size(); i++) {
             PartSpec part = parts.get(i);
-            if (part.shape() instanceof MeshShape mesh && mesh.as() == As.PARTS) {
-                throw nodes.get(i)
-                        .wrong(
-                                "a collider of one shape (\"as\": \"parts\" is for the shape of an"
-                                        + " entity)",
-                                "parts");
+            if (EntityRules.wantsOneShape(made, part)) {
+                throw nodes.get(i).wrong(EntityRules.ONE_SHAPE, "parts");
             }
             if (!(part.shape() instanceof MeshShape)) {
                 try {

@@ -227,6 +227,11 @@ public final class SceneReader {
             if (direction.x() == 0 && direction.y() == 0 && direction.z() == 0) {
                 throw in.get("sunDirection").wrong("a direction", "[0, 0, 0]");
             }
+            try {
+                base.from(direction.x(), direction.y(), direction.z());
+            } catch (IllegalArgumentException refusal) {
+                throw in.get("sunDirection").refused(refusal);
+            }
         }
         Xyz sun = strength(in.get("sun"), new Xyz(base.sunRed(), base.sunGreen(), base.sunBlue()));
         Xyz sky = strength(in.get("sky"), new Xyz(base.skyRed(), base.skyGreen(), base.skyBlue()));
@@ -310,16 +315,10 @@ public final class SceneReader {
                         .withLook(in.containsKey("look") ? look(in.get("look")) : base.look())
                         .withDriven(DrivenJson.read(in))
                         .withPhysics(physics);
-        if (made.body() == BodyKind.DYNAMIC) {
-            for (PartSpec part : made.parts()) {
-                if (part.shape().isSurface()) {
-                    throw node.required(in, in.containsKey("shape") ? "shape" : "colliders")
-                            .wrong(
-                                    "a solid shape for a dynamic body (a surface of triangles has"
-                                            + " no inside: \"body\": \"fixed\" or"
-                                            + " \"kinematic\")",
-                                    part.shape().type());
-                }
+        for (PartSpec part : made.parts()) {
+            if (EntityRules.wantsSolid(made, part)) {
+                throw node.required(in, in.containsKey("shape") ? "shape" : "colliders")
+                        .wrong(EntityRules.SOLID, part.shape().type());
             }
         }
         if (physics.parts().isEmpty() && !(made.shape() instanceof MeshShape)) {
@@ -383,9 +382,9 @@ public final class SceneReader {
         if (in.containsKey("texture")) {
             JsonNode where = in.get("texture");
             texture = where.text("the path of a picture");
-            if (texture.startsWith(Textures.PREFIX) && Textures.builtIn(texture) == null) {
-                throw where.wrong(
-                        "a file or one of " + String.join(", ", Textures.NAMES), where.shown());
+            String wanted = EntityRules.texture(texture);
+            if (!wanted.isEmpty()) {
+                throw where.wrong(wanted, where.shown());
             }
         }
         return new LookSpec(

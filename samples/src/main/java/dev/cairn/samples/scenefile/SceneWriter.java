@@ -19,6 +19,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Pattern;
 
 /**
  * Writes scene files: fields in the order of {@link SceneReader}'s lists, what has its default left
@@ -26,6 +27,9 @@ import java.util.Map;
  */
 public final class SceneWriter {
     private static final int WIDTH = 100;
+
+    /** A surrogate without its other half. */
+    private static final Pattern HALF = Pattern.compile("[\\uD800-\\uDFFF]");
 
     private SceneWriter() {}
 
@@ -112,7 +116,15 @@ public final class SceneWriter {
         }
         StringBuilder text = new StringBuilder();
         put(text, out, 0);
-        return text.append('\n').toString();
+        return escaped(text.append('\n'));
+    }
+
+    /**
+     * Half a letter outside of the first 65,536 has no bytes in UTF-8, and is written by number.
+     */
+    private static String escaped(CharSequence text) {
+        return HALF.matcher(text)
+                .replaceAll(half -> String.format("\\\\u%04x", (int) half.group().charAt(0)));
     }
 
     private static JsonObject light(Light light) {

@@ -38,6 +38,8 @@ class SceneMistakesTest {
                         + " 5 | 6",
                 "\"light\": {\"horizon\": \"blue\"}, | 4 | $.light.horizon | #RRGGBB | \"blue\"",
                 "\"light\": {\"sun\": [0,-1,0]}, | 4 | $.light.sun | at least 0 | -1",
+                "\"light\": {\"sunDirection\": [1e308,-1.7e308,0]}, | 4 | $.light.sunDirection |"
+                        + " finite vector | 1.7E308",
                 "\"light\": {\"sunDirection\": [0,0,0]}, | 4 | $.light.sunDirection | a direction |"
                         + " [0, 0, 0]",
                 "\"name\": null, | 4 | $.name | in quotes | null",

@@ -1,6 +1,6 @@
 package dev.cairn.samples.scenefile.edit;
 
-import dev.cairn.physics.Body;
+import dev.cairn.samples.scenefile.EntityRules;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.JointSpec;
 import dev.cairn.samples.scenefile.LookSpec;
@@ -24,8 +24,8 @@ import java.util.function.UnaryOperator;
  * Stateless; any thread.
  *
  * <p>All throw {@link IllegalArgumentException} where the result could not be built: a round shape
- * that would be squashed, a size below the engine's least. Broken mesh files are found when a scene
- * is shown.
+ * that would be squashed, a size below the engine's least; or where no file could hold it. Broken
+ * mesh files are found when a scene is shown.
  */
 public final class SceneEdit {
     private SceneEdit() {}
@@ -178,12 +178,7 @@ public final class SceneEdit {
     }
 
     private static EntitySpec check(EntitySpec entity) {
-        for (PartSpec part : entity.parts()) {
-            if (!(part.shape() instanceof MeshShape)) {
-                part.collider(part.shape().collider(entity.scale()), 1);
-            }
-        }
-        entity.physics().tell(Body.dynamic());
+        EntityRules.check(entity);
         return entity;
     }
 
