@@ -292,7 +292,7 @@ final class RandomSession implements AutoCloseable, Stage {
             SceneFile then = model.get(steps);
             assertTrue(then == null || then.equals(scene), "not what it was at step " + steps);
             model.set(steps, scene);
-        } else if (steps != at || scene != model.get(at)) {
+        } else if (steps != at || !scene.equals(model.get(at))) {
             assertTrue(steps >= at, "steps went from " + at + " to " + steps);
             // An action of several edits tells nothing of the scenes between.
             while (model.size() > Math.min(steps, at + 1)) {
