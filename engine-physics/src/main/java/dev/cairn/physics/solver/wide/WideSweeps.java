@@ -219,35 +219,47 @@ public final class WideSweeps implements Sweeps {
             random(random, column, 1);
         }
         for (int j = 0; j < n; j++) {
-            int l = j * ConstraintRows.LINK;
-            boolean pads = (j + round) % 8 == 5 && round % 3 == 0;
-            rows.link[l] = pads || j % 7 == 0 ? 0 : (2 * j + 1) * SolverBodies.STRIDE;
-            rows.link[l + 1] = pads ? 0 : (2 * j + 2) * SolverBodies.STRIDE;
-            rows.link[l + ConstraintRows.SOURCE] = j;
-            c.pointCount[j] = 1 + (round + j / 8) % 4;
-            rows.link[l + ConstraintRows.COUNT] = pads ? 0 : c.pointCount[j];
-            c.setFriction(j, (round + j / 8) % 16 == 0 ? 0 : 0.5);
-            boolean cold = round % 4 == 3 && j % 5 == 0;
-            // whole groups that are far apart, and such that touch and part
-            boolean apart = (round + j / 16) % 8 == 6;
-            boolean parts = (round + j / 16) % 8 == 3;
-            for (int p = ContactStore.POINTS * j; p < ContactStore.POINTS * (j + 1); p++) {
-                boolean idle = cold || apart || parts;
-                c.normalImpulse[p] = idle ? 0 : Math.abs(c.normalImpulse[p]);
-                c.separation[p] = apart ? 1000 : parts ? -1e-9 : c.separation[p];
-                c.preload[p] = apart || parts ? 0 : c.preload[p];
-            }
-            if (parts) {
-                c.setFrictionImpulse(j, 0, 0, 0, 0);
-                part(bodies, c, j);
-            }
-            rows.settleMark[j] = (byte) ((j + round) % 11 == 0 ? 1 : 0);
-            bodies.state[(2 * j + 1) * SolverBodies.STRIDE + SolverBodies.MASS] = 0.5;
-            bodies.state[(2 * j + 2) * SolverBodies.STRIDE + SolverBodies.MASS] = 0.5;
-            for (int slot = 2 * j; slot < 2 * j + 2; slot++) {
-                bodies.round(slot);
-                bodies.roundRoot(slot);
-            }
+            contact(rows, bodies, c, round, j);
+        }
+    }
+
+    /**
+     * One contact. Its points are set by factors, not by questions: of a loop with questions in it
+     * the compiler makes a copy for each mix of answers, and had more to do with these rows than
+     * with any kernel.
+     */
+    private static void contact(
+            ConstraintRows rows, SolverBodies bodies, ContactStore c, int round, int j) {
+        int l = j * ConstraintRows.LINK;
+        boolean pads = (j + round) % 8 == 5 && round % 3 == 0;
+        rows.link[l] = pads || j % 7 == 0 ? 0 : (2 * j + 1) * SolverBodies.STRIDE;
+        rows.link[l + 1] = pads ? 0 : (2 * j + 2) * SolverBodies.STRIDE;
+        rows.link[l + ConstraintRows.SOURCE] = j;
+        c.pointCount[j] = 1 + (round + j / 8) % 4;
+        rows.link[l + ConstraintRows.COUNT] = pads ? 0 : c.pointCount[j];
+        c.setFriction(j, (round + j / 8) % 16 == 0 ? 0 : 0.5);
+        boolean cold = round % 4 == 3 && j % 5 == 0;
+        // whole groups that are far apart, and such that touch and part
+        boolean apart = (round + j / 16) % 8 == 6;
+        boolean parts = (round + j / 16) % 8 == 3;
+        double loaded = cold || apart || parts ? 0 : 1;
+        double own = apart || parts ? 0 : 1;
+        double gap = apart ? 1000 : parts ? -1e-9 : 0;
+        for (int p = ContactStore.POINTS * j; p < ContactStore.POINTS * (j + 1); p++) {
+            c.normalImpulse[p] = loaded * Math.abs(c.normalImpulse[p]);
+            c.separation[p] = gap + own * c.separation[p];
+            c.preload[p] *= own;
+        }
+        if (parts) {
+            c.setFrictionImpulse(j, 0, 0, 0, 0);
+            part(bodies, c, j);
+        }
+        rows.settleMark[j] = (byte) ((j + round) % 11 == 0 ? 1 : 0);
+        bodies.state[(2 * j + 1) * SolverBodies.STRIDE + SolverBodies.MASS] = 0.5;
+        bodies.state[(2 * j + 2) * SolverBodies.STRIDE + SolverBodies.MASS] = 0.5;
+        for (int slot = 2 * j; slot < 2 * j + 2; slot++) {
+            bodies.round(slot);
+            bodies.roundRoot(slot);
         }
     }
 
