@@ -457,7 +457,9 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
         double gy = physics.gravityY;
         double gz = physics.gravityZ;
         double share = (x * gx + y * gy + z * gz) / (gx * gx + gy * gy + gz * gz);
-        if (share < 1) { // of none before, it is no number, and nothing is known
+        // of none before it is no number, and nothing is known; a gravity that turns slowly is no
+        // weaker one, and contacts learn of it from tick to tick
+        if (share < 0.999) {
             SupportLoads.weaken(physics.table.contacts, Math.max(0, share));
         }
     }

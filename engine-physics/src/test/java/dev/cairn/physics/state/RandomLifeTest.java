@@ -74,6 +74,29 @@ class RandomLifeTest {
         }
     }
 
+    /**
+     * Worlds in which joints that contradict each other, or contacts, gave somebody 1e4 to 1e10 m/s
+     * by the impulses that they began a sub-step with. Users give 9 m/s, gravity 34 more; the bound
+     * leaves room for what slides out on something that turns.
+     */
+    @Test
+    void nobodyIsThrown() {
+        for (long seed : new long[] {10, 37, 47, 49, 60, 71}) {
+            try (PhysicsWorld world = world(1, 1)) {
+                RandomUser user = new RandomUser(world, seed);
+                user.begin(seed);
+                for (int t = 0; t < 200; t++) {
+                    user.act(seed, t);
+                    world.step(RandomUser.step(seed, t));
+                    for (BodyRef body : world.bodies()) {
+                        double speed = body.velocity().length();
+                        assertTrue(speed < 5000, "seed " + seed + ", tick " + t + ": " + speed);
+                    }
+                }
+            }
+        }
+    }
+
     /** Every body has a few colliders more: their slots are beyond those of all bodies. */
     @Test
     void savedWithMoreCollidersThanBodies() {

@@ -34,8 +34,8 @@ public final class EntityRules {
 
     /** What is expected of a texture, or an empty text if it may be so. */
     static String texture(String name) {
-        boolean isUnknown = name.startsWith(Textures.PREFIX) && Textures.builtIn(name) == null;
-        return isUnknown ? "a file or one of " + String.join(", ", Textures.NAMES) : "";
+        boolean isUnknown = name.startsWith(LookSpec.BUILT_IN) && LookSpec.builtIn(name) == null;
+        return isUnknown ? "a file or one of " + String.join(", ", LookSpec.TEXTURES) : "";
     }
 
     /**

@@ -1,6 +1,10 @@
 package dev.cairn.samples.scenefile;
 
+import dev.cairn.render.mesh.Texture;
+
 import org.jspecify.annotations.Nullable;
+
+import java.util.List;
 
 /**
  * How an entity looks. Immutable.
@@ -22,6 +26,19 @@ public record LookSpec(
         double tileMetres,
         @Nullable String mesh,
         Xyz meshScale) {
+    /** How the names of textures begin that need no file. */
+    static final String BUILT_IN = "builtin:";
+
+    /** The textures that need no file, by name. */
+    static final List<String> TEXTURES =
+            List.of(
+                    "builtin:plain",
+                    "builtin:grid",
+                    "builtin:panel",
+                    "builtin:beach-ball",
+                    "builtin:metal",
+                    "builtin:glass");
+
     /** As its shape looks, in a colour of the palette. */
     public static final LookSpec DEFAULT = new LookSpec(true, null, null, 0, null, Xyz.ONE);
 
@@ -54,7 +71,7 @@ public record LookSpec(
      * @return false for none and for built-in ones
      */
     public boolean hasTextureFile() {
-        return texture != null && !texture.startsWith(Textures.PREFIX);
+        return texture != null && !texture.startsWith(BUILT_IN);
     }
 
     /**
@@ -66,5 +83,29 @@ public record LookSpec(
      */
     public LookSpec withTexture(@Nullable String value, double tile) {
         return new LookSpec(visible, rgb, value, tile, mesh, meshScale);
+    }
+
+    /** The texture of a built-in name, or null if there is none. */
+    static @Nullable Texture builtIn(String name) {
+        return switch (name) {
+            case "builtin:plain" -> Texture.WHITE;
+            case "builtin:grid" -> Texture.grid();
+            case "builtin:panel" -> Texture.panel();
+            case "builtin:beach-ball" -> Texture.beachBall();
+            case "builtin:metal" -> Texture.bareMetal();
+            case "builtin:glass" -> Texture.glass();
+            default -> null;
+        };
+    }
+
+    /** The built-in name of a texture, whatever its tiling, or null if it is none of them. */
+    static @Nullable String nameOf(Texture texture) {
+        Texture untiled = texture.tiledEvery(0);
+        for (String name : TEXTURES) {
+            if (untiled.equals(builtIn(name))) {
+                return name;
+            }
+        }
+        return null;
     }
 }

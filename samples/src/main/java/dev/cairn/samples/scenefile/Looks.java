@@ -132,7 +132,7 @@ final class Looks {
     }
 
     private Texture texture(String name, int index) {
-        Texture builtIn = Textures.builtIn(name);
+        Texture builtIn = LookSpec.builtIn(name);
         if (builtIn != null) {
             return builtIn;
         }

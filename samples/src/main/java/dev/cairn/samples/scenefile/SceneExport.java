@@ -311,7 +311,7 @@ public final class SceneExport {
         Model own = Model.of(body.shape());
         LookSpec look = LookSpec.DEFAULT.withRgb(model.rgb());
         if (!model.texture().equals(own.texture())) {
-            String name = Textures.nameOf(model.texture());
+            String name = LookSpec.nameOf(model.texture());
             look =
                     look.withTexture(
                             name != null ? name : relative(model.texture().name()),

@@ -101,7 +101,7 @@ public final class JointSolve extends PositionTrial {
         s.calm();
         Arrays.fill(s.impactImpulses, 0, Assembly.POINTS * s.touchCount, 0.0);
         derive();
-        double most = GAIN * kinetic();
+        double most = most();
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = row(k, r);
@@ -112,7 +112,7 @@ public final class JointSolve extends PositionTrial {
                 push(k, r, s.impulse[r]);
             }
         }
-        if (s.keeps && !(kinetic() <= most)) {
+        if (!isGuess(most)) {
             release();
         }
     }

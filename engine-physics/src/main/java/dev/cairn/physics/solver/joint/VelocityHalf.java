@@ -69,7 +69,7 @@ abstract class VelocityHalf extends JointWork {
         s.isFresh = false;
         derive();
         activate(false);
-        double most = GAIN * kinetic();
+        double most = most();
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = row(k, r);
@@ -81,7 +81,7 @@ abstract class VelocityHalf extends JointWork {
                 set(k, r, counts ? first : 0);
             }
         }
-        if (s.keeps && counts && !(kinetic() <= most)) {
+        if (counts && !isGuess(most)) {
             release();
         }
     }
