@@ -86,7 +86,8 @@ public final class BodyRef extends BodyState implements BodyForces {
     }
 
     /**
-     * Sets how much of the world's gravity acts on the body, and wakes it.
+     * Sets how much of the world's gravity acts on the body, and wakes it. Where it becomes less,
+     * contacts that hold the body up hold less, so that it stays; that looks at all contacts.
      *
      * @param factor finite; see {@link Body#gravityScale}
      */
@@ -292,7 +293,8 @@ public final class BodyRef extends BodyState implements BodyForces {
 
     /**
      * States the mass, see {@link Body#mass}; inertia follows unless it was stated. Velocities
-     * stay. Wakes the body and what it touches.
+     * stay. Wakes the body and what it touches. What holds a body up that becomes lighter holds
+     * less, so that it stays where it is. Looks at all contacts.
      *
      * @param kilograms finite, above 0
      */

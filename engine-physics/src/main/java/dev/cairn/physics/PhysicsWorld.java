@@ -431,7 +431,9 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
     }
 
     /**
-     * Changes the gravity, between steps. All bodies wake if it is another one.
+     * Changes the gravity, between steps. All bodies wake if it is another one. Of a weaker one, or
+     * one along another direction, contacts hold less from the start, so that what is at rest stays
+     * there; that looks at all contacts.
      *
      * @param x m/s², finite
      * @param y m/s², finite

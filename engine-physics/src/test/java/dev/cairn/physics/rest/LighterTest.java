@@ -37,6 +37,18 @@ class LighterTest {
         }
     }
 
+    /** Bodies of 1000 kg, each on the one before, that have come to rest. */
+    private static BodyRef[] stack(PhysicsWorld world, Shape shape, int count) {
+        world.add(Body.fixed().shape(HalfSpace.of()));
+        BodyRef[] bodies = new BodyRef[count];
+        for (int i = 0; i < count; i++) {
+            bodies[i] = world.add(Body.dynamic().shape(shape).at(0, 0.5 + i, 0));
+            bodies[i].setMass(1000);
+        }
+        run(world, 100);
+        return bodies;
+    }
+
     /** From 1000 kg: alone, with one below and above; digests for workers and lanes. */
     @ParameterizedTest
     @ValueSource(doubles = {500, 1, 1e-3})
@@ -52,13 +64,7 @@ class LighterTest {
 
     private static long stays(Shape shape, int count, double kilograms, int workers, int lanes) {
         try (PhysicsWorld world = world(workers, lanes)) {
-            world.add(Body.fixed().shape(HalfSpace.of()));
-            BodyRef[] bodies = new BodyRef[count];
-            for (int i = 0; i < count; i++) {
-                bodies[i] = world.add(Body.dynamic().shape(shape).at(0, 0.5 + i, 0));
-                bodies[i].setMass(1000);
-            }
-            run(world, 100);
+            BodyRef[] bodies = stack(world, shape, count);
             bodies[count / 2].setMass(kilograms);
             for (int t = 0; t < 60; t++) {
                 world.step(STEP);
@@ -69,6 +75,24 @@ class LighterTest {
                 }
             }
             return world.digest();
+        }
+    }
+
+    /** The same for what gravity pulls less; a scale of 0.001 is a weight of a thousandth. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3})
+    void whatGravityPullsLessStays(int count) {
+        try (PhysicsWorld world = world(1, 1)) {
+            BodyRef[] bodies = stack(world, Box.cubeOfHalfExtent(0.5), count);
+            bodies[count - 1].setGravityScale(0.001);
+            for (int t = 0; t < 60; t++) {
+                world.step(STEP);
+                for (int i = 0; i < count; i++) {
+                    assertEquals(0.5 + i, bodies[i].position().y, 5e-4, "tick " + t);
+                    // contacts farther down learn of it from tick to tick; a tenth of g h
+                    assertEquals(0, bodies[i].velocity().length(), 4e-3, "tick " + t);
+                }
+            }
         }
     }
 
@@ -101,13 +125,7 @@ class LighterTest {
     @ValueSource(doubles = {-1, 0})
     void aStackWhoseGravityIsTurnedDownStays(double gravity) {
         try (PhysicsWorld world = world(1, 1)) {
-            world.add(Body.fixed().shape(HalfSpace.of()));
-            BodyRef[] bodies = new BodyRef[8];
-            for (int i = 0; i < 8; i++) {
-                Body body = Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5 + i, 0);
-                bodies[i] = world.add(body);
-            }
-            run(world, 100);
+            BodyRef[] bodies = stack(world, Box.cubeOfHalfExtent(0.5), 8);
             world.setGravity(0, gravity, 0);
             for (int t = 0; t < 60; t++) {
                 world.step(STEP);
@@ -126,13 +144,7 @@ class LighterTest {
     @Test
     void whatLosesMassInEachTickStays() {
         try (PhysicsWorld world = world(1, 1)) {
-            world.add(Body.fixed().shape(HalfSpace.of()));
-            BodyRef[] bodies = new BodyRef[10];
-            for (int i = 0; i < 10; i++) {
-                Body body = Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5 + i, 0);
-                bodies[i] = world.add(body);
-            }
-            run(world, 60);
+            BodyRef[] bodies = stack(world, Box.cubeOfHalfExtent(0.5), 10);
             for (int t = 0; t < 300; t++) {
                 bodies[9].setMass(bodies[9].mass() * 0.98);
                 world.step(STEP);

@@ -16,6 +16,7 @@ import dev.cairn.samples.scenefile.Xyz;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** The panel with what is selected: every property as a field or a slider. Window thread. */
@@ -30,29 +31,11 @@ final class EntityPanel {
         0, 0xC8553D, 0xE0A458, 0x6A994E, 0x3D5A80, 0x8F6593, 0xF2F2F2, 0x8A8A8A
     };
 
-    private static final List<String> TEXTURES =
-            List.of(
-                    "",
-                    "builtin:plain",
-                    "builtin:grid",
-                    "builtin:panel",
-                    "builtin:beach-ball",
-                    "builtin:metal",
-                    "builtin:glass");
-    private static final List<String> TEXTURE_NAMES =
-            List.of(
-                    "of the shape",
-                    "plain",
-                    "grid",
-                    "panel",
-                    "beach ball",
-                    "metal",
-                    "glass",
-                    "a file");
+    private static final List<String> TEXTURE_NAMES = textureNames();
     static final List<String> AXES = List.of("along x", "along y", "along z");
     static final List<Xyz> DIRECTIONS =
             List.of(new Xyz(1, 0, 0), new Xyz(0, 1, 0), new Xyz(0, 0, 1));
-    private static final int FROM_FILE = 7;
+    private static final int FROM_FILE = 1 + LookSpec.TEXTURES.size();
     private static final int ROWS_BELOW = 6;
 
     private final Editor editor;
@@ -153,14 +136,28 @@ final class EntityPanel {
         }
     }
 
+    /** That of the shape, the built-in ones, a file. */
+    private static List<String> textureNames() {
+        List<String> names = new ArrayList<>(List.of("of the shape"));
+        for (String name : LookSpec.TEXTURES) {
+            names.add(name.substring(LookSpec.BUILT_IN.length()).replace('-', ' '));
+        }
+        names.add("a file");
+        return List.copyOf(names);
+    }
+
     private void texture(Ui ui, LookSpec look) {
         String texture = look.texture();
-        int present = texture == null ? 0 : TEXTURES.indexOf(texture);
-        int known = present < 0 ? FROM_FILE : present;
+        int place = LookSpec.TEXTURES.indexOf(texture);
+        int known = texture == null ? 0 : place < 0 ? FROM_FILE : 1 + place;
         int chosen = ui.choice("texture", TEXTURE_NAMES, known);
         if (chosen != known) {
             String wanted =
-                    chosen == 0 ? null : chosen == FROM_FILE ? "picture.png" : TEXTURES.get(chosen);
+                    chosen == 0
+                            ? null
+                            : chosen == FROM_FILE
+                                    ? "picture.png"
+                                    : LookSpec.TEXTURES.get(chosen - 1);
             editor.change(
                     "texture of", e -> e.withLook(e.look().withTexture(wanted, look.tileMetres())));
         }

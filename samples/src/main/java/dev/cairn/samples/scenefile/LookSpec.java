@@ -27,10 +27,10 @@ public record LookSpec(
         @Nullable String mesh,
         Xyz meshScale) {
     /** How the names of textures begin that need no file. */
-    static final String BUILT_IN = "builtin:";
+    public static final String BUILT_IN = "builtin:";
 
     /** The textures that need no file, by name. */
-    static final List<String> TEXTURES =
+    public static final List<String> TEXTURES =
             List.of(
                     "builtin:plain",
                     "builtin:grid",

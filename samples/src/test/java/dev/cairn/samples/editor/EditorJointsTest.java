@@ -41,18 +41,7 @@ class EditorJointsTest {
 
     @BeforeEach
     void open() {
-        editor =
-                new Editor(
-                        new Stage() {
-                            @Override
-                            public void rest(SceneFile scene, Path from, boolean places) {}
-
-                            @Override
-                            public void play(SceneFile scene, Path from) {}
-
-                            @Override
-                            public void leave() {}
-                        });
+        editor = new Editor(new NoStage());
         editor.open(Supply.emptyScene(), null, folder);
         joints = editor.joints();
     }

@@ -28,18 +28,7 @@ import java.util.function.UnaryOperator;
 
 /** What the editor does not take, and what it bears. */
 class EditorLimitsTest {
-    private final Editor editor =
-            new Editor(
-                    new Stage() {
-                        @Override
-                        public void rest(SceneFile scene, Path from, boolean places) {}
-
-                        @Override
-                        public void play(SceneFile scene, Path from) {}
-
-                        @Override
-                        public void leave() {}
-                    });
+    private final Editor editor = new Editor(new NoStage());
 
     @BeforeEach
     void open() {

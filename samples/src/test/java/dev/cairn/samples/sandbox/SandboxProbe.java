@@ -31,7 +31,7 @@ import java.util.Map;
  * The sandbox as a program of its own that tells on its standard output, one line a frame, what is
  * in the window, for {@link SandboxWindowTest}.
  */
-final class SandboxProbe extends Sandbox {
+public final class SandboxProbe extends Sandbox {
     private final PrintStream out;
     private final Vector3d eye = new Vector3d();
     private final com.sun.management.ThreadMXBean threads =
@@ -68,7 +68,7 @@ final class SandboxProbe extends Sandbox {
     }
 
     /** Where the test leaves a moment to begin with, if it wants one. */
-    static final String MOMENT = "begin.cairn";
+    public static final String MOMENT = "begin.cairn";
 
     /** Where the run goes when the window is closed, if a file of that name is there. */
     static final String RUN = "run.cairn";

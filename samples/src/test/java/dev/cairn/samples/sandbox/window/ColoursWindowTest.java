@@ -1,8 +1,9 @@
-package dev.cairn.samples.sandbox;
+package dev.cairn.samples.sandbox.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.samples.sandbox.SandboxProbe;
 import dev.cairn.samples.window.WindowFixture;
 
 import org.junit.jupiter.api.Test;

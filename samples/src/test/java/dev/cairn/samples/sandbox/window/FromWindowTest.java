@@ -1,4 +1,4 @@
-package dev.cairn.samples.sandbox;
+package dev.cairn.samples.sandbox.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -12,6 +12,7 @@ import dev.cairn.samples.replay.Act;
 import dev.cairn.samples.replay.Looks;
 import dev.cairn.samples.replay.Player;
 import dev.cairn.samples.replay.RunFile;
+import dev.cairn.samples.sandbox.SandboxProbe;
 import dev.cairn.samples.scenes.stack.StackOfBoxes;
 import dev.cairn.samples.window.WindowFixture;
 
