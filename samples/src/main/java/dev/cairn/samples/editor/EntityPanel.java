@@ -15,6 +15,7 @@ import dev.cairn.samples.scenefile.Xyz;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -146,10 +147,18 @@ final class EntityPanel {
         return List.copyOf(names);
     }
 
+    /** The place of a texture in {@link #TEXTURE_NAMES}; null is that of the shape. */
+    private static int textureChoice(@Nullable String texture) {
+        if (texture == null) {
+            return 0;
+        }
+        int builtIn = LookSpec.TEXTURES.indexOf(texture);
+        return builtIn < 0 ? FROM_FILE : 1 + builtIn;
+    }
+
     private void texture(Ui ui, LookSpec look) {
         String texture = look.texture();
-        int place = LookSpec.TEXTURES.indexOf(texture);
-        int known = texture == null ? 0 : place < 0 ? FROM_FILE : 1 + place;
+        int known = textureChoice(texture);
         int chosen = ui.choice("texture", TEXTURE_NAMES, known);
         if (chosen != known) {
             String wanted =
