@@ -298,7 +298,7 @@ public final class AabbTree implements Stateful {
      * even. A node that leans too much is set upright whatever its area: boxes one in another would
      * otherwise make a list.
      */
-    private void rotate(int node) {
+    void rotate(int node) {
         int b = left[node];
         int c = right[node];
         int tall = height[b] > height[c] ? b : c;

@@ -48,6 +48,7 @@ public final class BroadPhase {
     private long[] newPairs = new long[64];
     private int newPairCount;
 
+    private final BulkMoves moves = new BulkMoves(dynamicTree);
     private final PairFilter filter;
     private final PairSearch search;
 
@@ -129,6 +130,27 @@ public final class BroadPhase {
             tree.move(leaf[slot], box, offset);
         }
         mark(slot);
+    }
+
+    /**
+     * {@link #place} of a slot that moves, at most once before {@link #finishMoves}, which is
+     * cheaper for many together.
+     */
+    public void move(int slot, double[] box, int offset) {
+        int body = filter.colliders.body[slot];
+        boolean isAlone = filter.colliders.bodies.collider[body] == slot;
+        if (where[slot] != DYNAMIC || !isAlone || filter.colliders.next[slot] >= 0) {
+            place(slot, false, box, offset);
+            return;
+        }
+        System.arraycopy(box, offset, fat, 6 * slot, 6);
+        moves.add(leaf[slot]);
+        mark(slot);
+    }
+
+    /** The tree follows what was moved; before anything else is done with it. */
+    public void finishMoves() {
+        moves.run(fat);
     }
 
     /**

@@ -184,6 +184,7 @@ public final class BoundsStage {
                 apply(b);
             }
         }
+        target.finishMoves();
     }
 
     /**
@@ -299,7 +300,7 @@ public final class BoundsStage {
     public void refresh(BroadPhase target, int slot) {
         broadPhase = target;
         look(slot);
-        place(slot);
+        place(slot, false);
     }
 
     /**
@@ -372,7 +373,7 @@ public final class BoundsStage {
         int end = Blocks.end(block, BODIES_PER_BLOCK, slotCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             int slot = slots[i];
-            place(slot);
+            place(slot, true);
             if (state[bodies.collider[slot]] == INVALID) {
                 if (invalidCount == invalid.length) {
                     invalid = Arrays.copyOf(invalid, 2 * invalidCount);
@@ -382,11 +383,14 @@ public final class BoundsStage {
         }
     }
 
-    private void place(int slot) {
+    private void place(int slot, boolean withOthers) {
         boolean any = false;
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
-            if (state[c] == LEFT) {
-                broadPhase.place(c, false, box, 6 * c);
+            if (state[c] == LEFT && withOthers) {
+                broadPhase.move(c, box, BOX * c);
+                any = true;
+            } else if (state[c] == LEFT) {
+                broadPhase.place(c, false, box, BOX * c);
                 any = true;
             }
         }
