@@ -227,7 +227,7 @@ final class Campaign {
         under(cell, "cold start");
         long start = System.nanoTime();
         try (EngineProcess fresh = new EngineProcess(cell.engine(), logs, List.of())) {
-            put(cell, ask(fresh, cell, plan.coldSeconds()), start, 1);
+            put(cell, ask(fresh, cell, plan.coldSeconds(cell.engine())), start, 1);
         }
         done(estimate);
     }
@@ -314,7 +314,7 @@ final class Campaign {
             }
             Protocol.Answer cold = schedule.cold(scene, engine);
             if (cold != null && cold.failure() == null && !cold.cold().isEmpty()) {
-                colds.add(new Results.Cold(scene.id(), engine, cold.cold()));
+                colds.add(new Results.Cold(scene.id(), engine, cold.cold(), cold.errors()));
             }
         }
     }

@@ -49,7 +49,7 @@ record Cell(Case scene, Engine engine, PeerSettings peer, Protocol.Kind kind, in
     /** Guesses how long it takes, s; right within a factor of a few. */
     double estimate(int bodies, Plan plan) {
         if (kind == Protocol.Kind.COLD) {
-            return plan.coldSeconds() + 1;
+            return plan.coldSeconds(engine) + 1;
         }
         double each = bodySeconds();
         if (peer.tuning() == PeerSettings.Tuning.BEST) {

@@ -144,10 +144,10 @@ final class Charts {
     }
 
     /** Draws the time of a tick against the time since the start of the JVM. */
-    static String cold(List<Results.Cold> starts) throws IOException {
+    static String cold(String title, List<Results.Cold> starts) throws IOException {
         XYChart chart =
                 chart(
-                        "Cold start: pyramid, N = 4",
+                        "Cold start: " + title + ", N = 4",
                         "seconds since the start of the JVM",
                         "time of a tick, ms   (down is better)");
         for (Results.Cold start : starts) {

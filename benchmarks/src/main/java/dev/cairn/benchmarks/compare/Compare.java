@@ -2,6 +2,7 @@ package dev.cairn.benchmarks.compare;
 
 import dev.cairn.benchmarks.Marked;
 import dev.cairn.benchmarks.compare.measure.Case;
+import dev.cairn.benchmarks.compare.measure.ColdStart;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings.Tuning;
 
@@ -207,7 +208,7 @@ public final class Compare implements Callable<Integer> {
                 quick ? 0.3 : 1,
                 quick ? 0.8 : 15,
                 patience > 0 ? patience : quick ? 4 : 6,
-                quick ? 2 : 5,
+                quick ? 2 : 30,
                 !quick);
     }
 
@@ -237,6 +238,20 @@ public final class Compare implements Callable<Integer> {
                                             shown(point.judged().error()),
                                             shown(point.judged().deepest()),
                                             Html.number(point.cpuMicros())));
+        }
+        for (Results.Cold start : results.colds()) {
+            System.out.printf(
+                    Locale.ROOT,
+                    "%-14s%-21s cold start: first tick %s ms, 60 ticks %s s, %d ticks %s s, CPU %s"
+                            + " s, settled after %s s%n",
+                    start.scene(),
+                    start.engine().title(),
+                    shown(start.figures().get(ColdStart.FIRST_TICK)),
+                    shown(start.figures().get(ColdStart.SIXTY)),
+                    Case.of(start.scene()).ticks(),
+                    shown(start.figures().get(ColdStart.SCENE)),
+                    shown(start.figures().get(ColdStart.SCENE_CPU)),
+                    shown(start.figures().get(ColdStart.SETTLED)));
         }
     }
 

@@ -41,6 +41,7 @@ record Plan(
         boolean budget) {
 
     private static final double NATIVE_WARM_SECONDS = 1;
+    private static final double NATIVE_COLD_SECONDS = 8;
     private static final double SECONDS_PER_BODY = 4e-3;
     private static final double MOST_SECONDS = 20;
 
@@ -61,6 +62,11 @@ record Plan(
     /** Native code is compiled already: only the calls into it have to be. */
     double warmSeconds(Engine engine) {
         return engine.isJava() ? warmSeconds : Math.min(warmSeconds, NATIVE_WARM_SECONDS);
+    }
+
+    /** Native code has nothing to wait for. */
+    double coldSeconds(Engine engine) {
+        return engine.isJava() ? coldSeconds : Math.min(coldSeconds, NATIVE_COLD_SECONDS);
     }
 
     /** Returns what the measurements depend on, besides the cell itself. */

@@ -4,6 +4,7 @@ import com.google.gson.GsonBuilder;
 
 import dev.cairn.benchmarks.Spread;
 import dev.cairn.benchmarks.compare.measure.Case;
+import dev.cairn.benchmarks.compare.measure.ColdStart;
 import dev.cairn.benchmarks.compare.measure.Protocol;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings;
@@ -130,8 +131,9 @@ record Results(
      * @param scene id of the case
      * @param engine the engine
      * @param ticks pairs of ms since the start of the JVM and ms of a tick around then
+     * @param figures what {@link ColdStart} found, by name
      */
-    record Cold(String scene, Engine engine, List<Double> ticks) {}
+    record Cold(String scene, Engine engine, List<Double> ticks, Map<String, Double> figures) {}
 
     /** Says whether an error run was stopped because it took too long. */
     static boolean tooSlow(Protocol.Answer judged) {

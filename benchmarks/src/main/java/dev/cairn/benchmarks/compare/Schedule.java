@@ -14,6 +14,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * Which measurements a plan asks for, in which order, and which of them are superfluous by what is
@@ -29,6 +30,9 @@ final class Schedule {
 
     /** And there are so many: the deviation of fewer says little. */
     static final int FEWEST_ROUNDS = 4;
+
+    /** Scenes whose first seconds are told: small, of islands that move, one large island. */
+    private static final Set<String> COLD = Set.of("pyramid", "falling-boxes", "large-pyramid");
 
     /** What is expected to take longer than this times the limit is not tried. */
     private static final double PREDICTION_MARGIN = 1.2;
@@ -83,7 +87,7 @@ final class Schedule {
 
     List<Cell> colds(Case scene) {
         List<Cell> cells = new ArrayList<>();
-        if (plan.coldSeconds() > 0 && scene.id().equals("pyramid")) {
+        if (plan.coldSeconds() > 0 && COLD.contains(scene.id())) {
             for (Engine engine : plan.engines()) {
                 cells.add(new Cell(scene, engine, base(), Protocol.Kind.COLD, 0));
             }

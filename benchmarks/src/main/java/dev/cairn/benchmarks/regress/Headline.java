@@ -18,8 +18,14 @@ import java.util.TreeMap;
  * @param machine processor and JVM, because costs depend on them
  * @param points errors and costs
  * @param digests of the state after some scenes, by scene
+ * @param starts figures of a fresh JVM by name, s, one number per run
  */
-record Headline(String commit, String machine, List<Point> points, Map<String, String> digests) {
+record Headline(
+        String commit,
+        String machine,
+        List<Point> points,
+        Map<String, String> digests,
+        Map<String, List<Double>> starts) {
     /** Changes below this are not called a change, however well they are told apart. */
     private static final double LEAST = 0.03;
 
@@ -61,7 +67,13 @@ record Headline(String commit, String machine, List<Point> points, Map<String, S
             Point point = points.get(i);
             merged.add(new Point(point.subject(), point.substeps(), point.error(), micros));
         }
-        return new Headline(commit, machine, merged, digests);
+        Map<String, List<Double>> began = new TreeMap<>();
+        starts.forEach((name, runs) -> {
+            List<Double> all = new ArrayList<>(runs);
+            all.addAll(more.starts.getOrDefault(name, List.of()));
+            began.put(name, all);
+        });
+        return new Headline(commit, machine, merged, digests, began);
     }
 
     int runs() {
@@ -95,6 +107,7 @@ record Headline(String commit, String machine, List<Point> points, Map<String, S
                 }
             }
         }
+        starts.forEach((name, runs) -> figures.put(name, new Figure(runs, "s", true)));
         return figures;
     }
 

@@ -5,6 +5,7 @@ import com.google.gson.GsonBuilder;
 
 import dev.cairn.benchmarks.Main;
 import dev.cairn.benchmarks.Spread;
+import dev.cairn.benchmarks.compare.measure.ColdStart;
 import dev.cairn.benchmarks.compare.measure.Probe;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.samples.SampleScene;
@@ -41,6 +42,14 @@ import java.util.stream.Stream;
 public final class Regress implements Callable<Integer> {
     private static final List<Integer> SUBSTEPS = List.of(1, 2, 4, 8, 16);
     private static final int DIGEST_TICKS = 120;
+
+    /** What a fresh JVM begins with, for how long, and what of that is told. */
+    private static final String START_SCENE = "pile-mixed";
+
+    private static final double START_SECONDS = 10;
+
+    private static final List<String> START_FIGURES =
+            List.of(ColdStart.SIXTY, ColdStart.SIXTY_CPU, ColdStart.SCENE, ColdStart.SCENE_CPU);
 
     /** What is judged: a scene of the report, the error wanted, the cost allowed. */
     record Subject(
@@ -149,7 +158,7 @@ public final class Regress implements Callable<Integer> {
     private static Headline read(Path file) throws IOException {
         Headline known =
                 new Gson().fromJson(Files.readString(file, StandardCharsets.UTF_8), Headline.class);
-        if (known == null || known.points() == null) {
+        if (known == null || known.points() == null || known.starts() == null) {
             throw new IOException(file + " holds no figures of this version of regress");
         }
         return known;
@@ -186,6 +195,14 @@ public final class Regress implements Callable<Integer> {
 
     private Headline measure() {
         Probe probe = new Probe();
+        // before anything else: this JVM is fresh only once
+        Map<String, List<Double>> starts = new TreeMap<>();
+        probe.start(START_SCENE, START_SECONDS)
+                .forEach((name, value) -> {
+                    if (START_FIGURES.contains(name)) {
+                        starts.put("start " + START_SCENE + " " + name, List.of(value));
+                    }
+                });
         List<Headline.Point> points = new ArrayList<>();
         for (Subject subject : SUBJECTS) {
             // The first run of each warms up; its times are thrown away.
@@ -205,7 +222,7 @@ public final class Regress implements Callable<Integer> {
         for (String scene : List.of("pyramid", "room", "pile-mixed")) {
             digests.put(scene, digest(scene));
         }
-        return new Headline(commit(), machine(), points, digests);
+        return new Headline(commit(), machine(), points, digests, starts);
     }
 
     private static String digest(String id) {

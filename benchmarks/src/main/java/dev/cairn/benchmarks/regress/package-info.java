@@ -3,8 +3,8 @@
  * with those of an earlier commit. A report for people, not a gate: it never fails a build.
  *
  * <p>Figures: cheapest cost that reaches an error (cost@tol), best error within a cost
- * (err@budget), the error at N = 4, and the digest of the state, which changes with any change of
- * behaviour.
+ * (err@budget), the error at N = 4, what a fresh JVM takes for the first ticks, and the digest of
+ * the state, which changes with any change of behaviour.
  *
  * <p>One JVM compiles the same code otherwise than the next, so a commit is measured in several,
  * and a figure that hangs on a clock counts as changed only if every run of one commit lies beyond

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.benchmarks.compare.measure.Case;
 import dev.cairn.benchmarks.compare.measure.Protocol;
-import dev.cairn.benchmarks.compare.measure.Worker;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings.Tuning;
 
@@ -110,14 +109,5 @@ class CellStoreTest {
                 assertEquals(1, files.count(), "no engine was started, so none has a log");
             }
         }
-    }
-
-    @Test
-    void coldStartIsThinnedToMediansOfSpans() {
-        // Two spans: from 100 ms to 110 ms, and from 200 ms on.
-        assertEquals(
-                List.of(109.0, 5.0, 201.0, 7.0),
-                Worker.thinned(
-                        List.of(100.0, 9.0, 105.0, 5.0, 109.0, 1.0, 200.0, 2.0, 201.0, 7.0)));
     }
 }

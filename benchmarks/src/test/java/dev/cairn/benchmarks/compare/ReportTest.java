@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.benchmarks.compare.measure.Case;
+import dev.cairn.benchmarks.compare.measure.ColdStart;
 import dev.cairn.benchmarks.compare.measure.Judge;
 import dev.cairn.benchmarks.compare.measure.Protocol;
 import dev.cairn.benchmarks.peer.Engine;
@@ -73,7 +74,8 @@ class ReportTest {
                             new Results.Cold(
                                     "pyramid",
                                     Engine.CAIRN,
-                                    List.of(400.0, 20.0, 600.0, 2.0, 4000.0, 0.2))));
+                                    List.of(400.0, 20.0, 600.0, 2.0, 4000.0, 0.2),
+                                    Map.of(ColdStart.FIRST_TICK, 20.0, ColdStart.SIXTY, 0.46))));
 
     private static PeerSettings set(int n) {
         return new PeerSettings(1, n, false, PeerSettings.Tuning.DEFAULT);
@@ -96,6 +98,7 @@ class ReportTest {
         assertTrue(text.contains("a <note> & more"));
         assertEquals(3, document.getElementsByTagName("img").getLength());
         assertTrue(text.contains("Cold start"));
+        assertTrue(text.contains("settled, s Cairn20.00.460––––"), text);
         assertTrue(text.contains("Where the error comes from"));
         for (String svg : page.svgs().values()) {
             assertTrue(parse(svg).getElementsByTagName("path").getLength() > 10);

@@ -23,7 +23,7 @@ class HeadlineTest {
     }
 
     private static Headline of(String machine, Headline.Point... points) {
-        return new Headline("c", machine, List.of(points), Map.of("d", "00ff"));
+        return new Headline("c", machine, List.of(points), Map.of("d", "00ff"), Map.of());
     }
 
     private static List<Double> boxed(double... values) {
@@ -77,7 +77,7 @@ class HeadlineTest {
         assertEquals("worse by 1.0 %", verdict(before, of(1.01e-3, 1), name));
         assertEquals("same", verdict(before, of(1e-3, 1), name));
         assertEquals("same", verdict(before, of(1e-3, 1), "digest d"));
-        Headline other = new Headline("c", "m", before.points(), Map.of("d", "00fe"));
+        Headline other = new Headline("c", "m", before.points(), Map.of("d", "00fe"), Map.of());
         assertEquals("changed", verdict(before, other, "digest d"));
     }
 
@@ -119,5 +119,20 @@ class HeadlineTest {
         Headline both = of(1e-3, 1, 2).with(of(1e-3, 3));
         assertEquals(3, both.runs());
         assertEquals(boxed(1, 2, 3), both.points().getFirst().micros());
+    }
+
+    @Test
+    void startsAreFiguresRunByRun() {
+        String name = "start s";
+        List<Headline> each = new ArrayList<>();
+        for (double seconds : new double[] {2.0, 2.2, 2.1, 1.9, 2.0}) {
+            each.add(new Headline("c", "m", List.of(), Map.of(), Map.of(name, List.of(seconds))));
+        }
+        Headline before = each.stream().reduce(Headline::with).orElseThrow();
+        assertEquals(boxed(2.0, 2.2, 2.1, 1.9, 2.0), runs(before.figures(List.of(SUBJECT)), name));
+        Headline now =
+                new Headline(
+                        "c", "m", List.of(), Map.of(), Map.of(name, boxed(3, 3.1, 3, 2.9, 3.2)));
+        assertEquals("worse by 50.0 %", verdict(before, now, name));
     }
 }

@@ -197,6 +197,7 @@ public final class Cases {
                             .large(32, 1, Map.of("base", "10")),
                     pile("pile-spheres", "Pile of 500 spheres", "10", "5", 0.25, 1),
                     pile("pile-boxes", "Pile of 500 boxes", "10", "5", 0.25, 1),
+                    pile("falling-boxes", "pile-boxes", "Falling boxes, 4096", "16", "16", 0.25, 1),
                     pile(
                             "pile-mixed",
                             "Pile of 500 spheres, boxes, capsules, hulls",
@@ -364,10 +365,21 @@ public final class Cases {
 
     private static Case pile(
             String id, String title, String side, String layers, double failure, int lookCost) {
+        return pile(id, id, title, side, layers, failure, lookCost);
+    }
+
+    private static Case pile(
+            String id,
+            String scene,
+            String title,
+            String side,
+            String layers,
+            double failure,
+            int lookCost) {
         return Case.small(
                         id,
                         title,
-                        id,
+                        scene,
                         Map.of("side", side, "layers", layers),
                         300,
                         Case.REST_OVERLAP,

@@ -60,6 +60,18 @@ public final class Probe {
         return new Figures(substeps, value(error), cpu);
     }
 
+    /**
+     * Steps a scene of the report from the start of the JVM on, by the default settings.
+     *
+     * @param scene its id
+     * @param seconds since the JVM's start
+     * @return the figures of {@link ColdStart}, by name
+     */
+    public Map<String, Double> start(String scene, double seconds) {
+        PeerSettings peer = new PeerSettings(1, 4, false, PeerSettings.Tuning.DEFAULT);
+        return ask(Protocol.Kind.COLD, scene, Map.of(), peer, seconds).errors();
+    }
+
     private static double value(@Nullable Double number) {
         return number == null ? Double.NaN : number;
     }

@@ -48,7 +48,7 @@ public final class Protocol {
      * @param failure null, or why there are no numbers
      * @param missing true if the engine is not there at all
      * @param error the drawn error
-     * @param errors all of the scene's errors that apply, by name
+     * @param errors all of the scene's errors that apply, by name; of a cold start, its figures
      * @param deepest deepest overlap, m
      * @param pairs contacts after the last tick
      * @param points contact points after the last tick

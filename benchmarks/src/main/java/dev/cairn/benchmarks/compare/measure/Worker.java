@@ -18,10 +18,8 @@ import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 
 /**
  * The main class of an engine's JVM: answers requests from standard input until it ends. What goes
@@ -255,17 +253,20 @@ public final class Worker {
                         - 1_000_000
                                 * (System.currentTimeMillis()
                                         - ManagementFactory.getRuntimeMXBean().getStartTime());
-        List<Double> cold = new ArrayList<>();
+        ColdStart cold = new ColdStart(scene.ticks());
         long end = started + (long) (request.seconds() * 1e9);
         try (Judge judge = new Judge(scene)) {
+            double cpu = processSeconds();
             while (System.nanoTime() < end) {
                 try (Peer peer = engine.create(judge.description(), request.peer())) {
                     for (int tick = 1; tick <= scene.ticks() && System.nanoTime() < end; tick++) {
                         long before = System.nanoTime();
                         peer.step();
                         long now = System.nanoTime();
-                        cold.add((now - started) / 1e6);
-                        cold.add((now - before) / 1e6);
+                        cold.add(
+                                (now - started) / 1e6,
+                                (now - before) / 1e6,
+                                processSeconds() - cpu);
                     }
                 }
             }
@@ -273,39 +274,28 @@ public final class Worker {
                     null,
                     false,
                     null,
-                    Map.of(),
+                    cold.figures(),
                     null,
                     -1,
                     -1,
                     judge.description().movable(),
-                    cold.size() / 2,
+                    cold.count(),
                     null,
                     null,
                     null,
                     -1,
-                    thinned(cold),
+                    cold.thinned(),
                     List.of());
         }
     }
 
-    /** Returns the median tick of each of some spans of time, each a tenth longer than the last. */
-    public static List<Double> thinned(List<Double> ticks) {
-        List<Double> kept = new ArrayList<>();
-        int from = 0;
-        while (from < ticks.size()) {
-            double until = ticks.get(from) * 1.1;
-            List<Double> span = new ArrayList<>();
-            int at = from;
-            while (at < ticks.size() && ticks.get(at) <= until) {
-                span.add(ticks.get(at + 1));
-                at += 2;
-            }
-            span.sort(null);
-            kept.add(ticks.get(at - 2));
-            kept.add(span.get(span.size() / 2));
-            from = at;
-        }
-        return kept;
+    /** CPU time of the process, compilers and collector included, s; 0 where nobody tells. */
+    private static double processSeconds() {
+        return ProcessHandle.current()
+                .info()
+                .totalCpuDuration()
+                .map(time -> time.toNanos() / 1e9)
+                .orElse(0.0);
     }
 
     private static double percentile(long[] sorted, double share) {
