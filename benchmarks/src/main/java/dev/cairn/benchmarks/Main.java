@@ -1,6 +1,7 @@
 package dev.cairn.benchmarks;
 
 import dev.cairn.benchmarks.compare.Compare;
+import dev.cairn.benchmarks.compare.Start;
 import dev.cairn.benchmarks.cost.Cost;
 import dev.cairn.benchmarks.cost.Scaling;
 import dev.cairn.benchmarks.narrowphase.ErrorAgainstTime;
@@ -13,10 +14,10 @@ import java.io.IOException;
 import java.util.Arrays;
 
 /**
- * What {@code benchmarks.jar} runs: {@code compare} starts the work-precision report, {@code cost}
- * the price list, {@code scaling} times by workers, {@code regress} the headline figures, {@code
- * render-frame} the CPU time of a drawn frame, {@code effect-frame} what effects cost; all else is
- * JMH's own command line.
+ * What {@code benchmarks.jar} runs: {@code compare} starts the work-precision report, {@code start}
+ * times the first seconds of a JVM, {@code cost} the price list, {@code scaling} times by workers,
+ * {@code regress} the headline figures, {@code render-frame} the CPU time of a drawn frame, {@code
+ * effect-frame} what effects cost; all else is JMH's own command line.
  */
 public final class Main {
     private Main() {}
@@ -32,6 +33,7 @@ public final class Main {
         String command = args.length == 0 ? "" : args[0];
         switch (command) {
             case "compare" -> Compare.main(Arrays.copyOfRange(args, 1, args.length));
+            case "start" -> Start.main(Arrays.copyOfRange(args, 1, args.length));
             case "cost" -> Cost.main(Arrays.copyOfRange(args, 1, args.length));
             case "scaling" -> Scaling.main(Arrays.copyOfRange(args, 1, args.length));
             case "narrow-phase" -> ErrorAgainstTime.main(Arrays.copyOfRange(args, 1, args.length));
