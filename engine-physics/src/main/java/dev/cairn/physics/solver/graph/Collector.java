@@ -36,6 +36,9 @@ public final class Collector implements Stateful {
     /** Kinematic bodies that move, of this tick. */
     public final DrivenSides sides = new DrivenSides();
 
+    /** What is carried evenly is solved as if what carries it stood still. */
+    public final ReferenceFrames frames = new ReferenceFrames();
+
     /** Those of this tick. */
     public final Assemblies assemblies;
 
@@ -224,10 +227,10 @@ public final class Collector implements Stateful {
      */
     private int carrier(int a, int b, boolean isContact) {
         if (bodies.isDriven(a)) {
-            return a;
+            return mover(b) >= 0 && frames.has(b) ? -1 : a;
         }
         if (bodies.isDriven(b)) {
-            return b;
+            return mover(a) >= 0 && frames.has(a) ? -1 : b;
         }
         boolean runs = isContact && bodies.belts > 0 && (mover(a) < 0) != (mover(b) < 0);
         if (runs && bodies.hasBelt[mover(a) < 0 ? b : a]) {
