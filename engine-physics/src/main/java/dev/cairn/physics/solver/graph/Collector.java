@@ -50,6 +50,9 @@ public final class Collector implements Stateful {
 
     private boolean[] bounces = {};
 
+    /** By edge of the list: what tells it from others of its two bodies. */
+    private long[] part = {};
+
     /** By kind: the first of its edges among those that follow; one more for the end. */
     private int[] firstListed = {};
 
@@ -179,6 +182,7 @@ public final class Collector implements Stateful {
         if (cold.length < n) {
             cold = Arrays.copyOf(cold, n);
             bounces = Arrays.copyOf(bounces, n);
+            part = Arrays.copyOf(part, n);
             listed = Arrays.copyOf(listed, n);
             at = Arrays.copyOf(at, n);
         }
@@ -264,6 +268,7 @@ public final class Collector implements Stateful {
         if (list.slotA[n] != mover(bodyA)
                 || list.slotB[n] != mover(bodyB)
                 || list.carrier[n] != carrier(bodyA, bodyB, true)
+                || part[n] != facts.part[i]
                 || bounces[n] != facts.bounces[i]) {
             return false;
         }
@@ -330,6 +335,7 @@ public final class Collector implements Stateful {
         list.impulse[n] = facts.impulse[e];
         cold[n] = isCold;
         bounces[n] = facts.bounces[e];
+        part[n] = facts.part[e];
         return same;
     }
 
