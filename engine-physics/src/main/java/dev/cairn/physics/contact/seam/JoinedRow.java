@@ -26,6 +26,9 @@ import java.util.Arrays;
 final class JoinedRow {
     private static final HalfSpace PLANE = HalfSpace.of();
 
+    /** Of the inner radius: places of a point on two bodies that are farther apart are two. */
+    private static final double APART = 0x1p-20;
+
     private final ColliderStore colliders;
     private final ContactStore contacts;
     private final BoundsStage bounds;
@@ -82,6 +85,9 @@ final class JoinedRow {
      * @return whether it was made
      */
     boolean make(int row, int leader, int end, SeamMemory memory, int record) {
+        if (isOfMeeting(members.row(leader)) && isOnly(leader, end)) {
+            return false;
+        }
         chooseBase(leader);
         long key;
         if (record >= 0 && memory.isSecond(record) == isSecond) {
@@ -117,6 +123,33 @@ final class JoinedRow {
         }
         one[0] = row;
         points.fromBodies(one, 0, 1);
+        return true;
+    }
+
+    /**
+     * Whether a row is of the moment in which its bodies meet within the tick: then its points are
+     * at two places now, one on each body. What the plane would be at the tick's start says less.
+     */
+    private boolean isOfMeeting(int row) {
+        ContactStore c = contacts;
+        Poses s = colliders.poses;
+        int a = c.bodyA[row];
+        int b = c.bodyB[row];
+        int p = ContactStore.POINTS * row;
+        double x = c.anchorAX(p) - c.anchorBX(p) - s.apartX(a, b);
+        double y = c.anchorAY(p) - c.anchorBY(p) - s.apartY(a, b);
+        double z = c.anchorAZ(p) - c.anchorBZ(p) - s.apartZ(a, b);
+        double least = APART * colliders.innerRadius[members.m];
+        return x * x + y * y + z * z > least * least;
+    }
+
+    /** Whether no other member touches along the plane's normal. */
+    private boolean isOnly(int leader, int end) {
+        for (int k = leader + 1; k < end; k++) {
+            if (members.isSame(k, leader)) {
+                return false;
+            }
+        }
         return true;
     }
 
