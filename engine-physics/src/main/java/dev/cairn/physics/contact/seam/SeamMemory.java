@@ -132,7 +132,9 @@ final class SeamMemory {
         return key[r];
     }
 
-    /** The names of a record's points, for a row of which the touching collider is the other one. */
+    /**
+     * The names of a record's points, for a row of which the touching collider is the other one.
+     */
     int names(int r) {
         int names = 0;
         for (int k = 0; k < points[r]; k++) {

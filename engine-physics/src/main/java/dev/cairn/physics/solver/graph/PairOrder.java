@@ -3,8 +3,8 @@ package dev.cairn.physics.solver.graph;
 import java.util.Arrays;
 
 /**
- * The edges of one kind that are solved, by the slots of their bodies: first by A, then by B; of two
- * bodies by their colliders, and those with a surface of triangles by triangle.
+ * The edges of one kind that are solved, by the slots of their bodies: first by A, then by B; of
+ * two bodies by their colliders, and those with a surface of triangles by triangle.
  *
  * <p>Rows of contacts stand in the order in which their boxes met, and boxes lie along the world's
  * axes: in that order a scene would be solved differently when it is turned. Two counting sorts,
