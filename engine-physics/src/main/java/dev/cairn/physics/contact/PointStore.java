@@ -50,7 +50,7 @@ public final class PointStore {
      * not each of these has one. Names change where another face holds the same points.
      */
     private int sameOrder(int row, Manifold m, Scratch own) {
-        own.take(contacts, row, m.pointCount);
+        take(row, own, m.pointCount);
         double near = near(row);
         int order = 0;
         int places = 0;
@@ -87,14 +87,31 @@ public final class PointStore {
         place(row, m);
     }
 
+    /**
+     * Whether points are places on B, as A does not answer. What slides or rolls over the ground
+     * takes its points along, whichever of the two came first.
+     */
+    private boolean isOnB(int row) {
+        return colliders.bodies.kind[contacts.bodyA[row]] != BodyStore.DYNAMIC;
+    }
+
+    /** Takes points of the last tick, and where those of now are on the body that moves. */
+    private void take(int row, Scratch own, int count) {
+        boolean onB = isOnB(row);
+        own.take(contacts, row, count, onB ? ContactStore.ANCHORS / 2 : 0);
+        Poses s = colliders.poses;
+        int a = contacts.colliderA[row];
+        int b = contacts.colliderB[row];
+        own.fromX = onB ? s.apartX(a, b) : 0;
+        own.fromY = onB ? s.apartY(a, b) : 0;
+        own.fromZ = onB ? s.apartZ(a, b) : 0;
+    }
+
     /** The order of a row's points on its first body that moves. */
     private int order(int row, Manifold m, PointOrder order) {
         Poses s = colliders.poses;
         int a = contacts.colliderA[row];
-        int body = contacts.bodyA[row];
-        if (colliders.bodies.kind[body] != BodyStore.DYNAMIC) {
-            body = contacts.bodyB[row];
-        }
+        int body = isOnB(row) ? contacts.bodyB[row] : contacts.bodyA[row];
         double x = s.apartX(a, body);
         double y = s.apartY(a, body);
         double z = s.apartZ(a, body);
@@ -189,7 +206,7 @@ public final class PointStore {
         int first = ContactStore.POINTS * row;
         int before = c.pointCount[row];
         int points = m.pointCount;
-        own.take(c, row, before);
+        take(row, own, before);
         c.pointCount[row] = points;
         c.clearPoints(row, points, before);
         if (c.compounds) {
@@ -253,9 +270,9 @@ public final class PointStore {
         int best = -1;
         double least = limit;
         for (int q = 0; q < before; q++) {
-            double x = m.pointX[p] - own.x[q];
-            double y = m.pointY[p] - own.y[q];
-            double z = m.pointZ[p] - own.z[q];
+            double x = m.pointX[p] - own.fromX - own.x[q];
+            double y = m.pointY[p] - own.fromY - own.y[q];
+            double z = m.pointZ[p] - own.fromZ - own.z[q];
             double square = x * x + y * y + z * z;
             if (square < least) {
                 least = square;
@@ -277,23 +294,30 @@ public final class PointStore {
         final boolean[] unmatched = new boolean[ContactStore.POINTS];
         final PointOrder order = new PointOrder();
 
+        /** From A's centre to that of the collider on which points are places. */
+        double fromX, fromY, fromZ;
+
         /** Empty. */
         public Scratch() {}
 
-        void take(ContactStore c, int row, int count) {
+        /**
+         * @param part where the anchors of one body begin: those of A, or of B
+         */
+        void take(ContactStore c, int row, int count, int part) {
             int first = ContactStore.POINTS * row;
             for (int p = 0; p < count; p++) {
                 feature[p] = c.feature[first + p];
                 impulse[p] = c.normalImpulse[first + p];
                 preload[p] = c.preload[first + p];
-                x[p] = c.anchorAX(first + p);
-                y[p] = c.anchorAY(first + p);
-                z[p] = c.anchorAZ(first + p);
+                int anchor = ContactStore.anchor(first + p) + part;
+                x[p] = c.anchors[anchor];
+                y[p] = c.anchors[anchor + 1];
+                z[p] = c.anchors[anchor + 2];
                 if (c.compounds) {
                     rank[p] = c.rank(first + p);
-                    x[p] -= c.lever[6 * row];
-                    y[p] -= c.lever[6 * row + 1];
-                    z[p] -= c.lever[6 * row + 2];
+                    x[p] -= c.lever[6 * row + part];
+                    y[p] -= c.lever[6 * row + part + 1];
+                    z[p] -= c.lever[6 * row + part + 2];
                 }
             }
         }

@@ -198,6 +198,7 @@ public final class ContactSolver {
         timing(stepSeconds);
         tick.body.ensureCapacity(bodies.slotCount);
         ensureBenches(jobs.workers());
+        collector.frames.enter(bodies, contacts, list);
         boolean stacked =
                 collector.run(
                         bodies,
@@ -229,6 +230,7 @@ public final class ContactSolver {
             }
         }
         jobs.run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK));
+        collector.frames.leave(stepSeconds);
     }
 
     private boolean turns(int slot) {

@@ -9,9 +9,12 @@ import dev.cairn.physics.internal.ContactMaterials;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.curved.PlaneContact;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.HalfSpace;
+
+import java.util.Arrays;
 
 /**
  * The row of M and a joined surface: M's contact with the plane of it, if each point of that is
@@ -22,6 +25,9 @@ import dev.cairn.physics.shape.HalfSpace;
  */
 final class JoinedRow {
     private static final HalfSpace PLANE = HalfSpace.of();
+
+    /** Of the inner radius: places of a point on two bodies that are farther apart are two. */
+    private static final double APART = 0x1p-20;
 
     private final ColliderStore colliders;
     private final ContactStore contacts;
@@ -79,10 +85,15 @@ final class JoinedRow {
      * @return whether it was made
      */
     boolean make(int row, int leader, int end, SeamMemory memory, int record) {
+        if (isOfMeeting(members.row(leader)) && isOnly(leader, end)) {
+            return false;
+        }
         chooseBase(leader);
-        long key = 0;
+        long key;
         if (record >= 0 && memory.isSecond(record) == isSecond) {
             key = memory.key(record);
+        } else {
+            key = PlaneContact.key(record >= 0 ? memory.names(record) : names(leader, end));
         }
         key = collide(leader, key);
         for (int p = 0; p < manifold.pointCount; p++) {
@@ -115,6 +126,33 @@ final class JoinedRow {
         return true;
     }
 
+    /**
+     * Whether a row is of the moment in which its bodies meet within the tick: then its points are
+     * at two places now, one on each body. What the plane would be at the tick's start says less.
+     */
+    private boolean isOfMeeting(int row) {
+        ContactStore c = contacts;
+        Poses s = colliders.poses;
+        int a = c.bodyA[row];
+        int b = c.bodyB[row];
+        int p = ContactStore.POINTS * row;
+        double x = c.anchorAX(p) - c.anchorBX(p) - s.apartX(a, b);
+        double y = c.anchorAY(p) - c.anchorBY(p) - s.apartY(a, b);
+        double z = c.anchorAZ(p) - c.anchorBZ(p) - s.apartZ(a, b);
+        double least = APART * colliders.innerRadius[members.m];
+        return x * x + y * y + z * z > least * least;
+    }
+
+    /** Whether no other member touches along the plane's normal. */
+    private boolean isOnly(int leader, int end) {
+        for (int k = leader + 1; k < end; k++) {
+            if (members.isSame(k, leader)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     private void chooseBase(int leader) {
         base = members.neighbour(leader);
         BodyStore s = colliders.bodies;
@@ -128,6 +166,33 @@ final class JoinedRow {
         baseX = p.apartX(members.m, base);
         baseY = p.apartY(members.m, base);
         baseZ = p.apartZ(members.m, base);
+    }
+
+    /**
+     * The names of the corners with which M stands on the members, as {@link FeatureIds} sums them
+     * up: of a rim that has no corners of its own the plane shall choose the same points.
+     */
+    private int names(int leader, int end) {
+        ContactStore c = contacts;
+        int own = isSecond ? FeatureIds.VERTEX_B : FeatureIds.VERTEX_A;
+        int names = 0;
+        int known = 0;
+        for (int k = leader; k < end; k++) {
+            if (!members.isSame(k, leader)) {
+                continue;
+            }
+            int like = members.row(k);
+            int flip = members.isSecond(k) != isSecond ? FeatureIds.VERTEX_B : 0;
+            for (int p = 0; p < c.pointCount[like]; p++) {
+                int name = c.feature[ContactStore.POINTS * like + p] ^ flip;
+                if ((name & FeatureIds.CLOSEST) == own
+                        && known < ContactStore.POINTS
+                        && !FeatureIds.contains(names, name)) {
+                    names |= FeatureIds.hash(name) << (8 * known++);
+                }
+            }
+        }
+        return names;
     }
 
     /** The contact of M with the plane of a member, as of the row to be. */
@@ -225,6 +290,10 @@ final class JoinedRow {
         ContactStore c = contacts;
         c.pointCount[row] = 0;
         c.forgetFriction(row);
+        if (c.compounds) {
+            // points are told from the centres of colliders
+            Arrays.fill(c.lever, 6 * row, 6 * row + 6, 0.0);
+        }
         int sources = 0;
         for (int pass = 0; pass < 2; pass++) {
             for (int k = leader; k < end; k++) {

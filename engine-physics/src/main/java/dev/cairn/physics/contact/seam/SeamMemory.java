@@ -5,6 +5,7 @@ import dev.cairn.physics.contact.PointOrder;
 import dev.cairn.physics.internal.Columns;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 
 import java.util.Arrays;
 
@@ -131,6 +132,17 @@ final class SeamMemory {
         return key[r];
     }
 
+    /**
+     * The names of a record's points, for a row of which the touching collider is the other one.
+     */
+    int names(int r) {
+        int names = 0;
+        for (int k = 0; k < points[r]; k++) {
+            names |= FeatureIds.hash(feature[POINTS * r + k] ^ SIDE) << (8 * k);
+        }
+        return names;
+    }
+
     /** Whether the touching collider was the second of the row. */
     boolean isSecond(int r) {
         return second[r];
@@ -183,9 +195,13 @@ final class SeamMemory {
         }
         int a = c.colliderA[row];
         int b = c.colliderB[row];
-        double x = isSecond ? s.apartX(a, b) : 0;
-        double y = isSecond ? s.apartY(a, b) : 0;
-        double z = isSecond ? s.apartZ(a, b) : 0;
+        double x = s.apartX(a, b);
+        double y = s.apartY(a, b);
+        double z = s.apartZ(a, b);
+        if (c.compounds) {
+            // points are told from the centres of colliders
+            Arrays.fill(c.lever, 6 * row, 6 * row + 6, 0.0);
+        }
         int flip = isSecond == second[r] ? 0 : SIDE;
         for (int k = 0; k < points[r]; k++) {
             int p = POINTS * row + k;
@@ -193,10 +209,14 @@ final class SeamMemory {
             c.feature[p] = feature[q] ^ flip;
             c.normalImpulse[p] = impulse[q];
             c.preload[p] = preload[q];
-            double px = position[3 * q] + x;
-            double py = position[3 * q + 1] + y;
-            double pz = position[3 * q + 2] + z;
-            c.setAnchors(p, px, py, pz, 0, 0, 0);
+            double px = position[3 * q];
+            double py = position[3 * q + 1];
+            double pz = position[3 * q + 2];
+            if (isSecond) {
+                c.setAnchors(p, px + x, py + y, pz + z, px, py, pz);
+            } else {
+                c.setAnchors(p, px, py, pz, px - x, py - y, pz - z);
+            }
         }
         loadFriction(r, c, row, isSecond);
     }

@@ -13,7 +13,7 @@ import dev.cairn.physics.narrowphase.pair.Pair;
  * and what it reaches down with is the manifold. The pair's first shape is the solid one, its
  * second one is not used.
  */
-final class PlaneContact {
+public final class PlaneContact {
     private final Pair pair;
     private final ContactPoints points;
     private final Patch patch = new Patch(), plane = new Patch();
@@ -98,7 +98,16 @@ final class PlaneContact {
             deepest = Math.min(deepest, out.separation[i]);
         }
         out.bound = Math.abs(deepest - separation) + 0x1p-48 * (pair.scale + Math.abs(height));
-        return 1L << 62 | (FeatureIds.of(out) & 0xFFFFFFFFL);
+        return key(FeatureIds.of(out));
+    }
+
+    /**
+     * The key with which the next tick goes on.
+     *
+     * @param names of the points, as {@link FeatureIds} sums them up; 0 for none
+     */
+    public static long key(int names) {
+        return names == 0 ? 0 : 1L << 62 | (names & 0xFFFFFFFFL);
     }
 
     /** One point below the lowest one of the solid, as if the solid were the first shape. */

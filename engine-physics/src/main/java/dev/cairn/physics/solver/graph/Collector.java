@@ -36,6 +36,9 @@ public final class Collector implements Stateful {
     /** Kinematic bodies that move, of this tick. */
     public final DrivenSides sides = new DrivenSides();
 
+    /** What is carried evenly is solved as if what carries it stood still. */
+    public final ReferenceFrames frames = new ReferenceFrames();
+
     /** Those of this tick. */
     public final Assemblies assemblies;
 
@@ -46,6 +49,9 @@ public final class Collector implements Stateful {
     private boolean[] cold = {};
 
     private boolean[] bounces = {};
+
+    /** By edge of the list: what tells it from others of its two bodies. */
+    private long[] part = {};
 
     /** By kind: the first of its edges among those that follow; one more for the end. */
     private int[] firstListed = {};
@@ -176,6 +182,7 @@ public final class Collector implements Stateful {
         if (cold.length < n) {
             cold = Arrays.copyOf(cold, n);
             bounces = Arrays.copyOf(bounces, n);
+            part = Arrays.copyOf(part, n);
             listed = Arrays.copyOf(listed, n);
             at = Arrays.copyOf(at, n);
         }
@@ -224,10 +231,10 @@ public final class Collector implements Stateful {
      */
     private int carrier(int a, int b, boolean isContact) {
         if (bodies.isDriven(a)) {
-            return a;
+            return mover(b) >= 0 && frames.has(b) ? -1 : a;
         }
         if (bodies.isDriven(b)) {
-            return b;
+            return mover(a) >= 0 && frames.has(a) ? -1 : b;
         }
         boolean runs = isContact && bodies.belts > 0 && (mover(a) < 0) != (mover(b) < 0);
         if (runs && bodies.hasBelt[mover(a) < 0 ? b : a]) {
@@ -261,6 +268,7 @@ public final class Collector implements Stateful {
         if (list.slotA[n] != mover(bodyA)
                 || list.slotB[n] != mover(bodyB)
                 || list.carrier[n] != carrier(bodyA, bodyB, true)
+                || part[n] != facts.part[i]
                 || bounces[n] != facts.bounces[i]) {
             return false;
         }
@@ -327,6 +335,7 @@ public final class Collector implements Stateful {
         list.impulse[n] = facts.impulse[e];
         cold[n] = isCold;
         bounces[n] = facts.bounces[e];
+        part[n] = facts.part[e];
         return same;
     }
 

@@ -16,6 +16,8 @@ import java.util.Arrays;
  */
 final class EdgeFacts {
     /** Slots of the bodies; that of A is -1 if the edge is not solved, or nothing of it moves. */
+    private static final int PART_BITS = 21;
+
     int[] bodyA = {};
 
     int[] bodyB = {};
@@ -29,6 +31,9 @@ final class EdgeFacts {
     /** Whether it is a contact with restitution. */
     boolean[] bounces = {};
 
+    /** Of edges between the same two bodies: by which parts, and which triangle, they are told. */
+    long[] part = {};
+
     void ensureCapacity(int edges) {
         if (bodyA.length < edges) {
             bodyA = Arrays.copyOf(bodyA, edges);
@@ -36,6 +41,7 @@ final class EdgeFacts {
             variant = Arrays.copyOf(variant, edges);
             impulse = Arrays.copyOf(impulse, edges);
             bounces = Arrays.copyOf(bounces, edges);
+            part = Arrays.copyOf(part, edges);
         }
     }
 
@@ -55,6 +61,13 @@ final class EdgeFacts {
         impulse[i] = sum;
         variant[i] = points;
         bounces[i] = contacts.restitution[row] > 0;
+        part[i] = contacts.compounds || contacts.grouped ? part(contacts, row) : 0;
+    }
+
+    private static long part(ContactStore c, int row) {
+        return ((long) c.colliderA[row] << (2 * PART_BITS))
+                ^ ((long) c.colliderB[row] << PART_BITS)
+                ^ (c.triangle(row) + 1);
     }
 
     /** Reads the edges of a kind beside contacts; they follow from {@code first} on. */
@@ -64,6 +77,7 @@ final class EdgeFacts {
             impulse[first + i] = 0;
             variant[first + i] = 1;
             bounces[first + i] = false;
+            part[first + i] = 0;
         }
     }
 

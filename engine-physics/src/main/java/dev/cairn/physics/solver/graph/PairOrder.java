@@ -3,7 +3,8 @@ package dev.cairn.physics.solver.graph;
 import java.util.Arrays;
 
 /**
- * The edges of one kind that are solved, by the slots of their bodies: first by A, then by B.
+ * The edges of one kind that are solved, by the slots of their bodies: first by A, then by B; of
+ * two bodies by their colliders, and those with a surface of triangles by triangle.
  *
  * <p>Rows of contacts stand in the order in which their boxes met, and boxes lie along the world's
  * axes: in that order a scene would be solved differently when it is turned. Two counting sorts,
@@ -61,6 +62,26 @@ final class PairOrder {
         int[] swap = index;
         index = spare;
         spare = swap;
+        sortParts(facts, from);
+    }
+
+    /** Few edges are between the same two bodies. */
+    private void sortParts(EdgeFacts facts, int from) {
+        for (int k = 1; k < count; k++) {
+            int edge = index[k];
+            int at = k;
+            while (at > 0 && isBefore(facts, from + edge, from + index[at - 1])) {
+                index[at] = index[at - 1];
+                at--;
+            }
+            index[at] = edge;
+        }
+    }
+
+    private static boolean isBefore(EdgeFacts facts, int i, int j) {
+        return facts.part[i] < facts.part[j]
+                && facts.bodyA[i] == facts.bodyA[j]
+                && facts.bodyB[i] == facts.bodyB[j];
     }
 
     private void begin(int slots) {

@@ -296,20 +296,24 @@ public final class PrepareRow implements RowFiller {
         }
         double k = 1 / sum;
         shift *= k;
-        ax = ax * k - shift * nx;
-        ay = ay * k - shift * ny;
-        az = az * k - shift * nz;
-        bx = bx * k + shift * nx;
-        by = by * k + shift * ny;
-        bz = bz * k + shift * nz;
+        ax *= k;
+        ay *= k;
+        az *= k;
         double share = share(c, source);
         for (int i = 0; i < ContactStore.POINTS; i++) {
+            // from the middle of the anchors, which is the same seen from either body
             double x = c.anchorAX(first + i) - ax;
             double y = c.anchorAY(first + i) - ay;
             double z = c.anchorAZ(first + i) - az;
             double far = i < n ? Math.sqrt(x * x + y * y + z * z) : 0;
             d[o + (REACH + i) * lanes] = far * share;
         }
+        ax -= shift * nx;
+        ay -= shift * ny;
+        az -= shift * nz;
+        bx = bx * k + shift * nx;
+        by = by * k + shift * ny;
+        bz = bz * k + shift * nz;
         block(rows, bodies, j, o, ax, ay, az, bx, by, bz, n > 1);
         warm(rows, bodies, c, j, o, source, scale);
     }

@@ -34,6 +34,7 @@ final class DenseRow {
 
     /** The centre of a patch of one point. */
     void centre(double shift) {
+        r[REACH] = 0;
         for (int k = 0; k < 3; k++) {
             at[CENTRE + k] = at[k] - shift * r[k];
             at[CENTRE + 3 + k] = at[3 + k] + shift * r[k];
@@ -41,12 +42,13 @@ final class DenseRow {
     }
 
     /** The patch's centre. */
-    void centre(int n, boolean fixed, double moved) {
+    void centre(int n, boolean fixed, double moved, double share) {
+        int own = own();
         double spread = 0;
-        for (int q = NUMBERS; q < NUMBERS * n; q += NUMBERS) {
-            double x = at[q] - at[0];
-            double y = at[q + 1] - at[1];
-            double z = at[q + 2] - at[2];
+        for (int q = own + NUMBERS; q < NUMBERS * n; q += NUMBERS) {
+            double x = at[q] - at[own];
+            double y = at[q + 1] - at[own + 1];
+            double z = at[q + 2] - at[own + 2];
             spread = Math.max(spread, x * x + y * y + z * z);
         }
         double fade = PrepareRow.FADE * Math.sqrt(spread);
@@ -72,21 +74,34 @@ final class DenseRow {
         }
         double one = 1 / sum;
         shift *= one;
-        at[CENTRE] = ax * one - shift * r[0];
-        at[CENTRE + 1] = ay * one - shift * r[1];
-        at[CENTRE + 2] = az * one - shift * r[2];
-        at[CENTRE + 3] = bx * one + shift * r[0];
-        at[CENTRE + 4] = by * one + shift * r[1];
-        at[CENTRE + 5] = bz * one + shift * r[2];
+        at[CENTRE] = ax * one;
+        at[CENTRE + 1] = ay * one;
+        at[CENTRE + 2] = az * one;
+        at[CENTRE + 3] = bx * one;
+        at[CENTRE + 4] = by * one;
+        at[CENTRE + 5] = bz * one;
+        reach(n, own, share);
+        for (int k = 0; k < 3; k++) {
+            at[CENTRE + k] -= shift * r[k];
+            at[CENTRE + 3 + k] += shift * r[k];
+        }
     }
 
-    /** How far the points are from the centre. */
-    void reach(int n, double share) {
+    /**
+     * On which body distances of points are measured: on one that moves, since the points of the
+     * other stay where they were while it turns.
+     */
+    private int own() {
+        return r[MASS_A] == 0 ? 3 : 0;
+    }
+
+    /** How far the points are from their middle. */
+    private void reach(int n, int own, double share) {
         for (int i = 0; i < n; i++) {
-            int q = NUMBERS * i;
-            double x = at[q] - at[CENTRE];
-            double y = at[q + 1] - at[CENTRE + 1];
-            double z = at[q + 2] - at[CENTRE + 2];
+            int q = NUMBERS * i + own;
+            double x = at[q] - at[CENTRE + own];
+            double y = at[q + 1] - at[CENTRE + own + 1];
+            double z = at[q + 2] - at[CENTRE + own + 2];
             r[REACH + i] = Math.sqrt(x * x + y * y + z * z) * share;
         }
     }

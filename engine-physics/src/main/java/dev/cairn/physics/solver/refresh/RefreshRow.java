@@ -218,13 +218,12 @@ public final class RefreshRow {
         if (hasFriction && n == 1) {
             row.centre(fixed ? 0.5 * at[GAPS] : 0);
         } else if (hasFriction) {
-            row.centre(n, fixed, fixed ? 0 : row.moved(bodies.state, a, b));
+            row.centre(n, fixed, fixed ? 0 : row.moved(bodies.state, a, b), share);
         }
         row.side(bodies.root, a, 0, n, hasFriction);
         row.side(bodies.root, b, 3, n, hasFriction);
         row.points(record, k, n, ma + mb, sub.stiffness(fixed), rows.settleMark[j] != 0);
         if (hasFriction) {
-            row.reach(n, share);
             row.block(ma + mb, n > 1);
         }
         read(rows, rows.base(j), n, hasFriction);

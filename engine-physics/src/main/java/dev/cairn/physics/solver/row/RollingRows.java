@@ -3,6 +3,7 @@ package dev.cairn.physics.solver.row;
 import static dev.cairn.physics.solver.row.ConstraintRows.BLOCK;
 import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
 import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
+import static dev.cairn.physics.solver.row.ConstraintRows.MASS_A;
 import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
 import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
 import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT1;
@@ -253,13 +254,19 @@ public final class RollingRows {
         }
     }
 
-    /** Where the points are, from the first one. */
+    /** Where the points are, from the first one: on a body that moves, with which they turn. */
     private void places(ConstraintRows rows, ContactStore c, int j) {
-        int first = ContactStore.POINTS * rows.link[j * LINK + ConstraintRows.SOURCE];
+        int first =
+                ContactStore.anchor(
+                        ContactStore.POINTS * rows.link[j * LINK + ConstraintRows.SOURCE]);
+        if (rows.get(rows.base(j) + MASS_A * rows.lanes) == 0) {
+            first += ContactStore.ANCHORS / 2;
+        }
         for (int p = 0; p < rows.points(j); p++) {
-            double x = c.anchorAX(first + p) - c.anchorAX(first);
-            double y = c.anchorAY(first + p) - c.anchorAY(first);
-            double z = c.anchorAZ(first + p) - c.anchorAZ(first);
+            int q = first + p * (ContactStore.anchor(1) - ContactStore.anchor(0));
+            double x = c.anchors[q] - c.anchors[first];
+            double y = c.anchors[q + 1] - c.anchors[first + 1];
+            double z = c.anchors[q + 2] - c.anchors[first + 2];
             for (int k = 0; k < 2; k++) {
                 data[STRIDE * j + PLACE + 2 * p + k] =
                         x * tangent(rows, j, k, 0)

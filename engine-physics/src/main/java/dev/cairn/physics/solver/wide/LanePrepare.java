@@ -271,12 +271,15 @@ final class LanePrepare implements RowFiller {
                                                 DoubleVector.fromArray(
                                                         S, st, r + (i * STAGED_FIELDS + f) * L)));
             }
+            mean.mul(k).intoArray(st, (CENTRE + f) * L);
+        }
+        reach(d, o, st, n);
+        for (int f = 0; f < 6; f++) {
             var aside = shift.mul(DoubleVector.fromArray(S, d, o + f % 3 * L));
-            mean = mean.mul(k);
+            var mean = DoubleVector.fromArray(S, st, (CENTRE + f) * L);
             mean = f < 3 ? mean.sub(aside) : mean.add(aside);
             mean.intoArray(st, (CENTRE + f) * L);
         }
-        reach(d, o, st, n);
     }
 
     private static void reach(double[] d, int o, double[] st, int n) {
