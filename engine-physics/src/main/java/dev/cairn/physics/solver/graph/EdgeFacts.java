@@ -15,9 +15,9 @@ import java.util.Arrays;
  * some bytes an edge side by side.
  */
 final class EdgeFacts {
-    /** Slots of the bodies; that of A is -1 if the edge is not solved, or nothing of it moves. */
     private static final int PART_BITS = 21;
 
+    /** Slots of the bodies; that of A is -1 if the edge is not solved, or nothing of it moves. */
     int[] bodyA = {};
 
     int[] bodyB = {};

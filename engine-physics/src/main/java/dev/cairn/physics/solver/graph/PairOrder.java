@@ -65,23 +65,39 @@ final class PairOrder {
         sortParts(facts, from);
     }
 
-    /** Few edges are between the same two bodies. */
+    /** Each edge goes to its place among those before it of the same two bodies. */
     private void sortParts(EdgeFacts facts, int from) {
+        int first = 0;
         for (int k = 1; k < count; k++) {
             int edge = index[k];
-            int at = k;
-            while (at > 0 && isBefore(facts, from + edge, from + index[at - 1])) {
-                index[at] = index[at - 1];
-                at--;
+            if (!isSamePair(facts, from + edge, from + index[k - 1])) {
+                first = k;
+            } else if (facts.part[from + edge] < facts.part[from + index[k - 1]]) {
+                int at = place(facts, from, first, k);
+                System.arraycopy(index, at, index, at + 1, k - at);
+                index[at] = edge;
             }
-            index[at] = edge;
         }
     }
 
-    private static boolean isBefore(EdgeFacts facts, int i, int j) {
-        return facts.part[i] < facts.part[j]
-                && facts.bodyA[i] == facts.bodyA[j]
-                && facts.bodyB[i] == facts.bodyB[j];
+    /** Between {@code first} and {@code k}: where those begin that come after edge {@code k}. */
+    private int place(EdgeFacts facts, int from, int first, int k) {
+        long part = facts.part[from + index[k]];
+        int low = first;
+        int high = k;
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (part < facts.part[from + index[middle]]) {
+                high = middle;
+            } else {
+                low = middle + 1;
+            }
+        }
+        return low;
+    }
+
+    private static boolean isSamePair(EdgeFacts facts, int i, int j) {
+        return facts.bodyA[i] == facts.bodyA[j] && facts.bodyB[i] == facts.bodyB[j];
     }
 
     private void begin(int slots) {
