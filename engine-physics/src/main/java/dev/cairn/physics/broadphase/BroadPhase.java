@@ -133,13 +133,17 @@ public final class BroadPhase {
     }
 
     /**
-     * {@link #place} of a slot that moves, at most once before {@link #finishMoves}, which is
-     * cheaper for many together.
+     * {@link #place} of a slot that moves.
+     *
+     * @param withOthers whether the tree may wait for {@link #finishMoves}, which is cheaper for
+     *     many together; a slot at most once before that
      */
-    public void move(int slot, double[] box, int offset) {
+    public void place(int slot, double[] box, int offset, boolean withOthers) {
         int body = filter.colliders.body[slot];
-        boolean isAlone = filter.colliders.bodies.collider[body] == slot;
-        if (where[slot] != DYNAMIC || !isAlone || filter.colliders.next[slot] >= 0) {
+        boolean isAlone =
+                filter.colliders.bodies.collider[body] == slot
+                        && filter.colliders.next[slot] == ColliderStore.NONE;
+        if (!withOthers || where[slot] != DYNAMIC || !isAlone) {
             place(slot, false, box, offset);
             return;
         }

@@ -21,7 +21,6 @@ import java.util.Arrays;
  * <p>Simulation thread; allocates only when the number of bodies grows.
  */
 public final class BoundsStage {
-    private static final double MOST = Double.POSITIVE_INFINITY;
     private static final int BODIES_PER_BLOCK = 128;
     private static final byte STAYS = 0;
     private static final byte LEFT = 1;
@@ -386,11 +385,8 @@ public final class BoundsStage {
     private void place(int slot, boolean withOthers) {
         boolean any = false;
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
-            if (state[c] == LEFT && withOthers) {
-                broadPhase.move(c, box, BOX * c);
-                any = true;
-            } else if (state[c] == LEFT) {
-                broadPhase.place(c, false, box, BOX * c);
+            if (state[c] == LEFT) {
+                broadPhase.place(c, box, BOX * c, withOthers);
                 any = true;
             }
         }
@@ -465,7 +461,7 @@ public final class BoundsStage {
         Poses p = colliders.poses;
         double reach = step * speculativeTime;
         // of a surface of triangles it is infinite: nothing is known to be inside
-        double inner = colliders.innerRadius[c] < MOST ? colliders.innerRadius[c] : 0;
+        double inner = Double.isInfinite(colliders.innerRadius[c]) ? 0 : colliders.innerRadius[c];
         double outer = colliders.outerRadius[c];
         double arc = (spin > 0 ? Math.min(spin * outer * reach, outer - inner) : 0) + bend;
         setAhead(c, vx, vy, vz, arc);
