@@ -24,7 +24,7 @@ final class NetSolve {
     private static final double NEARLY = 1e-9;
 
     /** The same in nets that have none: a thousandth of what anybody sees. */
-    private static final double LOOSELY = 5e-6;
+    private static final double LOOSELY = 1e-6;
 
     /**
      * Share of its own inverse mass by which a row yields. What Newton's method lacks in directions
