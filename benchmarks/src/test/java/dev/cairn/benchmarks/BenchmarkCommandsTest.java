@@ -38,6 +38,12 @@ final class BenchmarkCommandsTest {
     }
 
     @Test
+    void startHasALineForEachEngine() throws IOException, InterruptedException {
+        String said = run("start --scenes stack-4 --engines cairn --seconds 2");
+        assertTrue(said.lines().anyMatch(line -> line.matches("stack-4 +cairn +[\\d.]+ .*")), said);
+    }
+
+    @Test
     @Tag("soak")
     void costWritesItsTables() throws IOException, InterruptedException {
         String said = run("cost --ladder-only --pairs 3 --builds 3");

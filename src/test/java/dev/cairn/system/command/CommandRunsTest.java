@@ -112,6 +112,7 @@ final class CommandRunsTest {
                     new There(SAMPLES + "pictures --of-list", "ThumbnailsTest", "minutes"),
                     new There(BENCHMARKS + "(EcsIterate|-prof gc \\w+)?", "SmokeTest", "JMH"),
                     new There(BENCHMARKS + "compare.*", SMALL, "hours; two seconds of it"),
+                    new There(BENCHMARKS + "start .*", SMALL, "minutes; two seconds of it"),
                     new There(BENCHMARKS + "cost.*", SMALL, "minutes; 13 s of it, soak"),
                     new There(BENCHMARKS + "regress.*", SMALL, "minutes; 44 s of it, soak"),
                     new There(BENCHMARKS + "scaling", SMALL, "minutes; a scene, 3 ticks"),

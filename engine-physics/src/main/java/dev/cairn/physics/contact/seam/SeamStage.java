@@ -130,8 +130,10 @@ public final class SeamStage implements Stateful {
             held = new int[LEAST];
             firstHeld = new int[LEAST];
         }
-        if (collider.length < LEAST) {
-            ensureGroups(LEAST);
+        // a heap that is stirred meets its largest number of groups late
+        int groups = Math.max(LEAST, colliders.slotCount / 4);
+        if (collider.length < groups) {
+            ensureGroups(Math.max(groups, 2 * collider.length));
         }
         if (member.length < LEAST) {
             member = new int[LEAST];
