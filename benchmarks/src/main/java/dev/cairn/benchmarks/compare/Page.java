@@ -318,14 +318,7 @@ final class Page {
                         "settled, s"));
         for (Results.Cold start : starts) {
             html.add("<tr>").words(start.engine().title());
-            for (String name :
-                    List.of(
-                            ColdStart.FIRST_TICK,
-                            ColdStart.SIXTY,
-                            ColdStart.SIXTY_CPU,
-                            ColdStart.SCENE,
-                            ColdStart.SCENE_CPU,
-                            ColdStart.SETTLED)) {
+            for (String name : ColdStart.NAMES) {
                 html.cell(start.figures().get(name));
             }
             html.add("</tr>\n");

@@ -117,14 +117,7 @@ public final class Start implements Callable<Integer> {
 
     private static String shown(Map<String, Double> figures) {
         StringBuilder line = new StringBuilder();
-        for (String name :
-                List.of(
-                        ColdStart.FIRST_TICK,
-                        ColdStart.SIXTY,
-                        ColdStart.SIXTY_CPU,
-                        ColdStart.SCENE,
-                        ColdStart.SCENE_CPU,
-                        ColdStart.SETTLED)) {
+        for (String name : ColdStart.NAMES) {
             Double value = figures.get(name);
             line.append("%9s".formatted(value == null ? "–" : Html.number(value)));
         }

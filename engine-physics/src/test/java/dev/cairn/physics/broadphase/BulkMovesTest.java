@@ -50,8 +50,8 @@ final class BulkMovesTest {
 
     /**
      * A gas whose boxes cross it in a second, for ten seconds: nodes looked at in searches against
-     * those of a tree whose leaves are all taken out and put in again. The bound is twice; 1.4 is
-     * seen, and 1.9 at once where no leaf is put in again.
+     * those of a tree whose leaves are all taken out and put in again. The bound is twice; 1.8 is
+     * seen, and 2.2 where no leaf is put in again in turn.
      */
     @Test
     void whatMixesStaysCheapToSearch() {

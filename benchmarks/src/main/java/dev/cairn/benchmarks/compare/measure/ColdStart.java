@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.DoubleSupplier;
 
 /**
  * What the first seconds of a JVM are told by: the scene is stepped from the JVM's start on, over
@@ -31,6 +32,10 @@ public final class ColdStart {
      */
     public static final String SETTLED = "settledSeconds";
 
+    /** All of them, in the order of tables. */
+    public static final List<String> NAMES =
+            List.of(FIRST_TICK, SIXTY, SIXTY_CPU, SCENE, SCENE_CPU, SETTLED);
+
     private static final int EARLY = 60;
     private static final double STEADY = 1.3;
 
@@ -55,9 +60,9 @@ public final class ColdStart {
      *
      * @param sinceStartMillis from the JVM's start to the tick's end
      * @param tookMillis wall time of the tick
-     * @param cpuSeconds of the process since before the first tick
+     * @param cpuSeconds of the process since before the first tick; asked for where it is told
      */
-    void add(double sinceStartMillis, double tookMillis, double cpuSeconds) {
+    void add(double sinceStartMillis, double tookMillis, DoubleSupplier cpuSeconds) {
         ticks.add(sinceStartMillis);
         ticks.add(tookMillis);
         int count = ticks.size() / 2;
@@ -66,11 +71,11 @@ public final class ColdStart {
         }
         if (count == EARLY) {
             figures.put(SIXTY, seconds(0, count));
-            figures.put(SIXTY_CPU, cpuSeconds);
+            figures.put(SIXTY_CPU, cpuSeconds.getAsDouble());
         }
         if (count == sceneTicks) {
             figures.put(SCENE, seconds(0, count));
-            figures.put(SCENE_CPU, cpuSeconds);
+            figures.put(SCENE_CPU, cpuSeconds.getAsDouble());
         }
     }
 

@@ -75,11 +75,13 @@ public final class CpuClock {
         return perThread ? compilers : -1;
     }
 
+    /** Returns the process's CPU time, compilers and collector included, ns; 0 if unknown. */
+    long processNanos() {
+        return bean == null ? 0 : bean.getProcessCpuTime();
+    }
+
     private long ownNanos() {
-        if (perThread || bean == null) {
-            return threads.getCurrentThreadCpuTime();
-        }
-        return bean.getProcessCpuTime();
+        return perThread || bean == null ? threads.getCurrentThreadCpuTime() : processNanos();
     }
 
     /** What is read of another thread. */

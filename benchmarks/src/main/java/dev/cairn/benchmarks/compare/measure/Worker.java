@@ -256,7 +256,7 @@ public final class Worker {
         ColdStart cold = new ColdStart(scene.ticks());
         long end = started + (long) (request.seconds() * 1e9);
         try (Judge judge = new Judge(scene)) {
-            double cpu = processSeconds();
+            long begun = cpu.processNanos();
             while (System.nanoTime() < end) {
                 try (Peer peer = engine.create(judge.description(), request.peer())) {
                     for (int tick = 1; tick <= scene.ticks() && System.nanoTime() < end; tick++) {
@@ -266,7 +266,7 @@ public final class Worker {
                         cold.add(
                                 (now - started) / 1e6,
                                 (now - before) / 1e6,
-                                processSeconds() - cpu);
+                                () -> (cpu.processNanos() - begun) / 1e9);
                     }
                 }
             }
@@ -287,15 +287,6 @@ public final class Worker {
                     cold.thinned(),
                     List.of());
         }
-    }
-
-    /** CPU time of the process, compilers and collector included, s; 0 where nobody tells. */
-    private static double processSeconds() {
-        return ProcessHandle.current()
-                .info()
-                .totalCpuDuration()
-                .map(time -> time.toNanos() / 1e9)
-                .orElse(0.0);
     }
 
     private static double percentile(long[] sorted, double share) {

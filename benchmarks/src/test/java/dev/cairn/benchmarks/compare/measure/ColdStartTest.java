@@ -18,7 +18,8 @@ final class ColdStartTest {
             // 40 ms at first, 14 in the second run, 10 in the third
             double took = tick < 100 ? 40 : tick < 200 ? 14 : 10;
             now += took;
-            start.add(now, took, (tick + 1) * 0.05);
+            double cpu = (tick + 1) * 0.05;
+            start.add(now, took, () -> cpu);
         }
         Map<String, Double> figures = start.figures();
         assertEquals(40, figures.get(ColdStart.FIRST_TICK));
@@ -34,7 +35,7 @@ final class ColdStartTest {
     void whatWasNotReachedIsNotTold() {
         ColdStart start = new ColdStart(100);
         for (int tick = 0; tick < 59; tick++) {
-            start.add(tick, 1, 0);
+            start.add(tick, 1, () -> 0);
         }
         assertEquals(List.of(ColdStart.FIRST_TICK), List.copyOf(start.figures().keySet()));
         assertNull(start.figures().get(ColdStart.SETTLED));
@@ -45,7 +46,7 @@ final class ColdStartTest {
         ColdStart start = new ColdStart(100);
         double[][] ticks = {{100, 9}, {105, 5}, {109, 1}, {200, 2}, {201, 7}};
         for (double[] tick : ticks) {
-            start.add(tick[0], tick[1], 0);
+            start.add(tick[0], tick[1], () -> 0);
         }
         // two spans: from 100 ms to 110 ms, and from 200 ms on
         assertEquals(List.of(109.0, 5.0, 201.0, 7.0), start.thinned());

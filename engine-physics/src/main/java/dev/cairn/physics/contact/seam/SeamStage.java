@@ -131,9 +131,9 @@ public final class SeamStage implements Stateful {
             firstHeld = new int[LEAST];
         }
         // a heap that is stirred meets its largest number of groups late
-        int groups = Math.max(LEAST, colliders.slotCount / 4);
-        if (collider.length < groups) {
-            ensureGroups(Math.max(groups, 2 * collider.length));
+        int wanted = Math.max(LEAST, colliders.slotCount / 4);
+        if (collider.length < wanted) {
+            ensureGroups(Math.max(wanted, 2 * collider.length));
         }
         if (member.length < LEAST) {
             member = new int[LEAST];

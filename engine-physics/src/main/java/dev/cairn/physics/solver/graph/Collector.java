@@ -187,6 +187,7 @@ public final class Collector implements Stateful {
             at = Arrays.copyOf(at, n);
         }
         facts.ensureCapacity(n);
+        facts.hasParts = contacts.compounds || contacts.grouped;
         if (firstListed.length < list.first.length) {
             firstListed = new int[list.first.length];
         }

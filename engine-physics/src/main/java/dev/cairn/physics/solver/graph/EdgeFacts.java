@@ -15,6 +15,7 @@ import java.util.Arrays;
  * some bytes an edge side by side.
  */
 final class EdgeFacts {
+    /** Numbers beyond that mix: the order is another one then, and as much the same for all. */
     private static final int PART_BITS = 21;
 
     /** Slots of the bodies; that of A is -1 if the edge is not solved, or nothing of it moves. */
@@ -33,6 +34,9 @@ final class EdgeFacts {
 
     /** Of edges between the same two bodies: by which parts, and which triangle, they are told. */
     long[] part = {};
+
+    /** Whether any body is of parts, or has a surface of triangles: else no two are of one pair. */
+    boolean hasParts;
 
     void ensureCapacity(int edges) {
         if (bodyA.length < edges) {
@@ -61,7 +65,7 @@ final class EdgeFacts {
         impulse[i] = sum;
         variant[i] = points;
         bounces[i] = contacts.restitution[row] > 0;
-        part[i] = contacts.compounds || contacts.grouped ? part(contacts, row) : 0;
+        part[i] = hasParts ? part(contacts, row) : 0;
     }
 
     private static long part(ContactStore c, int row) {

@@ -62,7 +62,9 @@ final class PairOrder {
         int[] swap = index;
         index = spare;
         spare = swap;
-        sortParts(facts, from);
+        if (facts.hasParts) {
+            sortParts(facts, from);
+        }
     }
 
     /** Each edge goes to its place among those before it of the same two bodies. */

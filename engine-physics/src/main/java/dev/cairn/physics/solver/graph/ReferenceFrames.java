@@ -36,7 +36,10 @@ public final class ReferenceFrames {
 
     private final Islands islands = new Islands();
 
-    /** Dynamic bodies. */
+    /** Contacts, and the edges of other kinds. */
+    private EdgeSource[] sources = {};
+
+    /** Dynamic bodies that are awake. */
     private int[] slots = {};
 
     /** By slot: the body whose velocity is that of the island's frame, or below 0. */
@@ -57,10 +60,10 @@ public final class ReferenceFrames {
         if (!found) {
             return;
         }
-        gather(contacts, list);
-        choose(contacts, true);
-        for (int k = 1; k <= list.kinds.length; k++) {
-            choose(list.kinds[k - 1].source(), false);
+        list(contacts, list);
+        gather();
+        for (int k = 0; k < sources.length; k++) {
+            choose(sources[k], k == 0);
         }
         for (int k = 0; k < count; k++) {
             int i = slots[k];
@@ -117,7 +120,7 @@ public final class ReferenceFrames {
         return false;
     }
 
-    private void gather(EdgeSource contacts, EdgeList list) {
+    private void gather() {
         int n = bodies.slotCount;
         if (carrier.length < n) {
             carrier = new int[bodies.kind.length];
@@ -131,22 +134,16 @@ public final class ReferenceFrames {
                 slots[count++] = i;
             }
         }
-        islands.begin(slots, count);
-        join(contacts);
-        for (int k = 1; k <= list.kinds.length; k++) {
-            join(list.kinds[k - 1].source());
-        }
+        islands.build(bodies, sources, slots, count);
     }
 
-    private void join(EdgeSource edges) {
-        byte[] kind = bodies.kind;
-        for (int i = 0; i < edges.edges(); i++) {
-            int a = edges.edgeA(i);
-            if (a >= 0
-                    && kind[a] == BodyStore.DYNAMIC
-                    && kind[edges.edgeB(i)] == BodyStore.DYNAMIC) {
-                islands.join(a, edges.edgeB(i));
-            }
+    private void list(EdgeSource contacts, EdgeList list) {
+        if (sources.length != 1 + list.kinds.length) {
+            sources = new EdgeSource[1 + list.kinds.length];
+        }
+        sources[0] = contacts;
+        for (int k = 1; k < sources.length; k++) {
+            sources[k] = list.kinds[k - 1].source();
         }
     }
 
