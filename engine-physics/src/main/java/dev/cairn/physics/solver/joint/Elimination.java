@@ -79,6 +79,9 @@ final class Elimination {
     private int[][] near;
     private int[] degree;
 
+    /** By node: the one that it was seen beside last. */
+    private int[] seen;
+
     /**
      * Orders an assembly.
      *
@@ -102,6 +105,8 @@ final class Elimination {
         firstUpdate = new int[nodes + 1];
         near = new int[nodes][];
         degree = new int[nodes];
+        seen = new int[nodes];
+        Arrays.fill(seen, -1);
         Arrays.fill(size, 0, bodies, BlockFactors.BODY);
         System.arraycopy(rows, 0, size, bodies, rows.length);
         for (int i = 0; i < nodes; i++) {
@@ -119,6 +124,7 @@ final class Elimination {
         isFilled = pairs > (long) FILLED * nodes;
         near = new int[0][];
         degree = new int[0];
+        seen = new int[0];
     }
 
     private void connect(int i, int k) {
@@ -127,6 +133,27 @@ final class Elimination {
                 return;
             }
         }
+        append(i, k);
+    }
+
+    /** Neighbours of a node are neighbours of each other from now on. */
+    private void tie(int i) {
+        int[] around = near[i];
+        for (int e = 0; e < degree[i]; e++) {
+            int k = around[e];
+            seen[k] = k;
+            for (int f = 0; f < degree[k]; f++) {
+                seen[near[k][f]] = k;
+            }
+            for (int f = 0; f < degree[i]; f++) {
+                if (seen[around[f]] != k) {
+                    append(k, around[f]);
+                }
+            }
+        }
+    }
+
+    private void append(int i, int k) {
         if (degree[i] == near[i].length) {
             near[i] = Arrays.copyOf(near[i], 2 * degree[i]);
         }
@@ -226,13 +253,7 @@ final class Elimination {
                 later[links++] = k;
                 disconnect(k, i);
             }
-            for (int e = 0; e < degree[i]; e++) {
-                for (int f = 0; f < degree[i]; f++) {
-                    if (e != f) {
-                        connect(near[i][e], near[i][f]);
-                    }
-                }
-            }
+            tie(i);
             for (int e = 0; e < degree[i]; e++) {
                 queue.add(key(near[i][e]));
             }
