@@ -10,6 +10,7 @@ import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.impact.ImpactStart;
 import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.impact.MultiPointImpact;
+import dev.cairn.physics.solver.impact.PressureCentre;
 import dev.cairn.physics.solver.kernel.RowArithmetic;
 import dev.cairn.physics.solver.kernel.ScalarFriction;
 import dev.cairn.physics.solver.kernel.ScalarNormals;
@@ -45,6 +46,7 @@ final class InelasticImpact {
 
     private final MultiPointImpact impact = new MultiPointImpact();
     private final ImpactStart start = new ImpactStart();
+    private final PressureCentre pressure = new PressureCentre();
 
     /** Six zeros for static bodies, then acceleration of the body: without its contact. */
     private final double[] free = new double[12];
@@ -199,8 +201,12 @@ final class InelasticImpact {
             body[at + c] += time * held[6 + c];
         }
         turnLevers(time);
+        boolean moves = pressure.open(rows, bodies, contacts, place);
         impact.uniform(0);
-        agree(rounds);
+        agree(rounds, moves);
+        if (moves) {
+            pressure.restore();
+        }
         ScalarFriction.total(d, o, lanes, points);
         for (int c = 0; c < 6; c++) {
             body[at + c] -= time * free[6 + c];
@@ -210,7 +216,7 @@ final class InelasticImpact {
         start.fit(store, bodies, SolverBodies.slot(at));
         turnBack();
         lift();
-        clear();
+        rows.forget(place);
     }
 
     /** Gives the contact a share of its warm start; no more of it is left. */
@@ -224,24 +230,18 @@ final class InelasticImpact {
         for (int k = 0; k < 3; k++) {
             d[o + (TOTAL + k) * lanes] += share * d[o + (LAMBDA + k) * lanes];
         }
-        clear();
-    }
-
-    private void clear() {
-        for (int p = 0; p < points; p++) {
-            d[impact.point(p) + IMPULSE * lanes] = 0;
-        }
-        for (int k = 0; k < 3; k++) {
-            d[o + (LAMBDA + k) * lanes] = 0;
-        }
+        rows.forget(place);
     }
 
     /** Normals, and friction bounded by them, until no impulse changes. */
-    private void agree(int rounds) {
+    private void agree(int rounds, boolean moves) {
         for (int round = 0; round < rounds; round++) {
             double change = impact.newton(0);
             if (!(d[o + FRICTION * lanes] > 0)) {
                 return;
+            }
+            if (moves) {
+                pressure.move();
             }
             double x = d[o + LAMBDA * lanes];
             double y = d[o + (LAMBDA + 1) * lanes];
