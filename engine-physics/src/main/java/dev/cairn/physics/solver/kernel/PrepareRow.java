@@ -261,10 +261,10 @@ public final class PrepareRow implements RowFiller {
         int first = ContactStore.POINTS * source;
         int n = c.pointCount[source];
         // Centre of the patch: the mean of the anchors, with points that have left fading out so
-        // that it moves without jumps. Of a body that has not met the other one yet, those fade
-        // that are behind the first that will. The anchors lie midway between the surfaces; against
-        // what
-        // does not move, the anchor goes back to the body's own surface, because that is where the
+        // that it moves without jumps. Of a guided body that has not touched yet, those fade that
+        // are behind the first that will; in larger islands, whose energy nothing bounds, the mean
+        // of all stays. The anchors lie midway between the surfaces; against what does not move,
+        // the anchor goes back to the body's own surface, because that is where the
         // body will touch when the gap has closed. Two moving bodies keep the common point, so that
         // their friction makes no angular momentum.
         double spread = 0;
@@ -278,7 +278,9 @@ public final class PrepareRow implements RowFiller {
         }
         double fade = FADE * Math.sqrt(spread);
         double moved = fixed ? 0 : moved(rows, bodies, j, nx, ny, nz);
-        double nearest = Math.max(0, least + moved);
+        int link = j * LINK;
+        boolean guided = bodies.isGuided(rows.link[link]) || bodies.isGuided(rows.link[link + 1]);
+        double nearest = guided ? Math.max(0, least) : 0;
         double sum = 0;
         double ax = 0;
         double ay = 0;

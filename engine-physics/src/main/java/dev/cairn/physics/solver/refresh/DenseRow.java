@@ -42,7 +42,7 @@ final class DenseRow {
     }
 
     /** The patch's centre. */
-    void centre(int n, boolean fixed, double moved, double share) {
+    void centre(int n, boolean fixed, boolean guided, double moved, double share) {
         int own = own();
         double spread = 0;
         double least = at[GAPS];
@@ -53,7 +53,7 @@ final class DenseRow {
             spread = Math.max(spread, x * x + y * y + z * z);
             least = Math.min(least, at[q - own + GAPS]);
         }
-        double nearest = Math.max(0, least + moved);
+        double nearest = guided ? Math.max(0, least) : 0;
         double fade = PrepareRow.FADE * Math.sqrt(spread);
         double sum = 0;
         double shift = 0;

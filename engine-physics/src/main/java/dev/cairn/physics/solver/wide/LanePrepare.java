@@ -243,10 +243,12 @@ final class LanePrepare implements RowFiller {
             var gap = DoubleVector.fromArray(S, st, p + 6 * L);
             least = least.min(gap.blend(least, count.compare(VectorOperators.LE, (double) i)));
         }
-        var nearest = least.max(0.0);
+        var fixed = DoubleVector.fromArray(S, st, FIXED * L);
+        var guided = fixed.compare(VectorOperators.GT, 1.0);
+        var nearest = DoubleVector.zero(S).blend(least.max(0.0), guided);
         var fade = spread.sqrt().mul(PrepareRow.FADE);
         var none = fade.compare(VectorOperators.EQ, 0.0);
-        var fixed = DoubleVector.fromArray(S, st, FIXED * L).compare(VectorOperators.GT, 0.0);
+        var stands = fixed.compare(VectorOperators.GT, 0.0);
         var sum = DoubleVector.zero(S);
         var shift = DoubleVector.zero(S);
         for (int i = 0; i < n; i++) {
@@ -260,7 +262,7 @@ final class LanePrepare implements RowFiller {
             w = DoubleVector.zero(S).blend(w, count.compare(VectorOperators.GT, (double) i));
             w.intoArray(st, (WEIGHT + i) * L);
             sum = sum.add(w);
-            shift = shift.add(w.mul(DoubleVector.zero(S).blend(gap, fixed).mul(0.5)));
+            shift = shift.add(w.mul(DoubleVector.zero(S).blend(gap, stands).mul(0.5)));
         }
         var k =
                 DoubleVector.broadcast(S, 1.0)
