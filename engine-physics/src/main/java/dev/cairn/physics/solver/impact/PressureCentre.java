@@ -22,16 +22,17 @@ import dev.cairn.physics.solver.row.EdgeList;
  * x (r x n)} is r but for its height along n; that is the friction's own, from {@code (c x t1) .
  * t2}.
  *
- * <p>One contact at a time, any worker. Does not allocate.
+ * <p>Only of a body on something that does not move: two bodies that move have to share the point,
+ * or their friction makes angular momentum. One contact at a time, any worker. Does not allocate.
  */
 public final class PressureCentre {
     private static final int BLOCK_FIELDS = 3;
 
-    /** Places of all points along the contact plane, A then B, from the centres of mass, m. */
-    private final double[] place = new double[6 * ContactStore.POINTS];
+    /** Places of all points along the contact plane, from the centre of mass, m. */
+    private final double[] place = new double[3 * ContactStore.POINTS];
 
-    /** Heights of the friction along the normal, from the centres of mass of A and B, m. */
-    private final double[] height = new double[2];
+    /** Height of the friction along the normal, from the centre of mass, m. */
+    private double height;
 
     /** What the row had: levers, block, reaches. */
     private final double[] kept = new double[12 + BLOCK_FIELDS + ContactStore.POINTS];
@@ -42,14 +43,19 @@ public final class PressureCentre {
     private ConstraintRows rows = new EdgeList().doubles;
     private double[] d = {};
     private double[] root = {};
-    private int o, lanes, a, b, points;
+    private int o, lanes, points;
+
+    /** The body that moves: its offset, and 0 for A, 1 for B. */
+    private int body, side;
+
     private double share;
 
     /**
      * Turns to a row of doubles, whose levers are those of the blow.
      *
      * @param j place of the row
-     * @return whether its friction can be moved: there are several points, no turn is locked
+     * @return whether its friction can be moved: there are several points, one of the bodies does
+     *     not move, and no turn of the other one is locked
      */
     public boolean open(ConstraintRows row, SolverBodies bodies, ContactStore contacts, int j) {
         rows = row;
@@ -57,19 +63,20 @@ public final class PressureCentre {
         root = bodies.root;
         lanes = rows.lanes;
         o = rows.base(j);
-        a = rows.link[j * LINK];
-        b = rows.link[j * LINK + 1];
         points = rows.points(j);
-        if (points < 2 || !(d[o + FRICTION * lanes] > 0) || isLocked(0) || isLocked(1)) {
+        boolean first = d[o + MASS_A * lanes] > 0;
+        if (points < 2 || !(d[o + FRICTION * lanes] > 0) || first == d[o + MASS_B * lanes] > 0) {
+            return false;
+        }
+        side = first ? 0 : 1;
+        body = rows.link[j * LINK + side];
+        int k = (body >> 4) * SolverBodies.ROOT + 9;
+        if (!(root[k] > 0 && root[k + 1] > 0 && root[k + 2] > 0)) {
             return false;
         }
         share = PrepareRow.share(contacts, rows.link[j * LINK + SOURCE]);
         keep(kept, true);
-        for (int side = 0; side < 2; side++) {
-            if (moves(side)) {
-                find(body(side), side);
-            }
-        }
+        find();
         return true;
     }
 
@@ -82,24 +89,19 @@ public final class PressureCentre {
         if (!(sum > 0)) {
             return;
         }
-        for (int side = 0; side < 2; side++) {
-            if (!moves(side)) {
-                continue;
+        for (int k = 0; k < 3; k++) {
+            double mean = 0;
+            for (int p = 0; p < points; p++) {
+                mean += impulse(p) / sum * place[3 * p + k];
             }
-            for (int k = 0; k < 3; k++) {
-                double mean = 0;
-                for (int p = 0; p < points; p++) {
-                    mean += impulse(p) / sum * place[at(side, p) + k];
-                }
-                centre[k] = mean;
-            }
-            reach(side);
-            for (int k = 0; k < 3; k++) {
-                centre[k] += height[side] * d[o + k * lanes];
-            }
-            lever(body(side), TANGENT1, LEVER + 6 * side);
-            lever(body(side), TANGENT2, LEVER + 6 * side + 3);
+            centre[k] = mean;
         }
+        reach();
+        for (int k = 0; k < 3; k++) {
+            centre[k] += height * d[o + k * lanes];
+        }
+        lever(TANGENT1, LEVER + 6 * side);
+        lever(TANGENT2, LEVER + 6 * side + 3);
         block();
     }
 
@@ -110,24 +112,6 @@ public final class PressureCentre {
 
     private double impulse(int p) {
         return d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes];
-    }
-
-    private static int at(int side, int p) {
-        return 3 * (2 * p + side);
-    }
-
-    private int body(int side) {
-        return side == 0 ? a : b;
-    }
-
-    private boolean moves(int side) {
-        return d[o + (side == 0 ? MASS_A : MASS_B) * lanes] > 0;
-    }
-
-    /** A body some of whose turns are locked has levers that do not tell its points. */
-    private boolean isLocked(int side) {
-        int k = (body(side) >> 4) * SolverBodies.ROOT + 9;
-        return moves(side) && !(root[k] > 0 && root[k + 1] > 0 && root[k + 2] > 0);
     }
 
     private void keep(double[] to, boolean out) {
@@ -150,14 +134,14 @@ public final class PressureCentre {
         }
     }
 
-    /** The places of one body's points. */
-    private void find(int body, int side) {
+    /** The places of the points. */
+    private void find() {
         double nx = d[o];
         double ny = d[o + lanes];
         double nz = d[o + 2 * lanes];
         for (int p = 0; p < points; p++) {
-            unweigh(body, POINT + p * POINT_FIELDS + (side == 0 ? ARM_A : ARM_B));
-            int q = at(side, p);
+            unweigh(POINT + p * POINT_FIELDS + (side == 0 ? ARM_A : ARM_B));
+            int q = 3 * p;
             place[q] = ny * world[2] - nz * world[1];
             place[q + 1] = nz * world[0] - nx * world[2];
             place[q + 2] = nx * world[1] - ny * world[0];
@@ -171,13 +155,13 @@ public final class PressureCentre {
             int m = (k + 2) % 3 * lanes;
             cross += d[o + k * lanes] * (d[i + l] * d[j + m] - d[i + m] * d[j + l]);
         }
-        unweigh(body, LEVER + 6 * side);
+        unweigh(LEVER + 6 * side);
         double along = world[0] * d[j] + world[1] * d[j + lanes] + world[2] * d[j + 2 * lanes];
-        height[side] = cross > 0 ? along : -along;
+        height = cross > 0 ? along : -along;
     }
 
     /** Into world: {@code L^-T u}, u the weighted lever at a field. */
-    private void unweigh(int body, int field) {
+    private void unweigh(int field) {
         int k = (body >> 4) * SolverBodies.ROOT;
         double x = root[k + 9] * d[o + field * lanes];
         double y = root[k + 10] * d[o + (field + 1) * lanes];
@@ -189,7 +173,7 @@ public final class PressureCentre {
     }
 
     /** Writes {@code L^T (c x t)}. */
-    private void lever(int body, int tangent, int out) {
+    private void lever(int tangent, int out) {
         double x = d[o + tangent * lanes];
         double y = d[o + (tangent + 1) * lanes];
         double z = d[o + (tangent + 2) * lanes];
@@ -203,9 +187,9 @@ public final class PressureCentre {
     }
 
     /** How far friction acts at the points, as seen from a centre along the plane. */
-    private void reach(int side) {
+    private void reach() {
         for (int p = 0; p < points; p++) {
-            int q = at(side, p);
+            int q = 3 * p;
             double x = place[q] - centre[0];
             double y = place[q + 1] - centre[1];
             double z = place[q + 2] - centre[2];
