@@ -9,7 +9,6 @@ import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
 import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
 
 import dev.cairn.physics.internal.BodyStore;
-import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.AxisLocks;
 import dev.cairn.physics.solver.body.DrivenSides;
 import dev.cairn.physics.solver.body.SolverBodies;
@@ -66,7 +65,6 @@ public final class Impacts {
     private final double[] before = new double[12];
 
     private final MultiPointImpact impact = new MultiPointImpact();
-    private final PressureCentre pressure = new PressureCentre();
 
     private double soon;
 
@@ -94,7 +92,6 @@ public final class Impacts {
     private ConstraintRows look = rows;
     private SolverBodies bodies = new SolverBodies();
     private BodyStore store = new BodyStore();
-    private ContactStore contacts = new ContactStore();
     private double[] d = {};
     private double[] body = {};
 
@@ -132,7 +129,6 @@ public final class Impacts {
         isJointed = jointed;
         bodies = tick.body;
         store = tick.bodies;
-        contacts = tick.contacts;
         body = bodies.state;
         soon = rows.isSingle ? SOON_SINGLE : SOON;
         gravity = tick.weight();
@@ -381,11 +377,7 @@ public final class Impacts {
         impact.uniform(early);
         impact.newton(early);
         boolean hasFriction = d[o + FRICTION * lanes] > 0;
-        if (hasFriction && pressure.open(look, bodies, contacts, place)) {
-            pressure.move();
-            ScalarFriction.solve(d, o, lanes, body, a, b, points);
-            pressure.restore();
-        } else if (hasFriction) {
+        if (hasFriction) {
             ScalarFriction.solve(d, o, lanes, body, a, b, points);
         }
         double share = shareWithoutGain(time);

@@ -10,7 +10,6 @@ import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.impact.ImpactStart;
 import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.impact.MultiPointImpact;
-import dev.cairn.physics.solver.impact.PressureCentre;
 import dev.cairn.physics.solver.kernel.RowArithmetic;
 import dev.cairn.physics.solver.kernel.ScalarFriction;
 import dev.cairn.physics.solver.kernel.ScalarNormals;
@@ -240,7 +239,8 @@ final class InelasticImpact {
             if (!(d[o + FRICTION * lanes] > 0)) {
                 return;
             }
-            if (moves) {
+            if (moves && round == 0) {
+                // once: a centre that followed each round would agree slowly with what it bounds
                 pressure.move();
             }
             double x = d[o + LAMBDA * lanes];

@@ -1,4 +1,4 @@
-package dev.cairn.physics.solver.impact;
+package dev.cairn.physics.solver.single;
 
 import static dev.cairn.physics.solver.row.ConstraintRows.*;
 
@@ -25,7 +25,7 @@ import dev.cairn.physics.solver.row.EdgeList;
  * <p>Only of a body on something that does not move: two bodies that move have to share the point,
  * or their friction makes angular momentum. One contact at a time, any worker. Does not allocate.
  */
-public final class PressureCentre {
+final class PressureCentre {
     private static final int BLOCK_FIELDS = 3;
 
     /** Places of all points along the contact plane, from the centre of mass, m. */
@@ -57,7 +57,7 @@ public final class PressureCentre {
      * @return whether its friction can be moved: there are several points, one of the bodies does
      *     not move, and no turn of the other one is locked
      */
-    public boolean open(ConstraintRows row, SolverBodies bodies, ContactStore contacts, int j) {
+    boolean open(ConstraintRows row, SolverBodies bodies, ContactStore contacts, int j) {
         rows = row;
         d = rows.doubles;
         root = bodies.root;
@@ -81,7 +81,7 @@ public final class PressureCentre {
     }
 
     /** Puts the friction where the normal impulses are, if there are any. */
-    public void move() {
+    void move() {
         double sum = 0;
         for (int p = 0; p < points; p++) {
             sum += impulse(p);
@@ -106,7 +106,7 @@ public final class PressureCentre {
     }
 
     /** Puts it back. */
-    public void restore() {
+    void restore() {
         keep(kept, false);
     }
 
