@@ -89,6 +89,18 @@ public final class ContactRows {
             activate(bodies, store, pairs);
         }
         append(store, pairs, sensors);
+        reserve();
+    }
+
+    /** As soon as there are rows, and not when the first of them leaves, which may be much later. */
+    private void reserve() {
+        if (parted.length < contacts.count) {
+            parted = new boolean[contacts.bodyA.length];
+            partedInBlock = new int[Blocks.count(parted.length, ROWS_PER_BLOCK)];
+            hole = new int[parted.length];
+            source = new int[parted.length];
+            sourceIsActive = new boolean[parted.length];
+        }
     }
 
     /** Whether a box changed that is not of an awake body: rows that are not active matter, too. */
@@ -102,13 +114,7 @@ public final class ContactRows {
     }
 
     private void drop(TouchEvents events, boolean all, Jobs jobs) {
-        if (parted.length < contacts.count) {
-            parted = new boolean[contacts.bodyA.length];
-            partedInBlock = new int[Blocks.count(parted.length, ROWS_PER_BLOCK)];
-            hole = new int[parted.length];
-            source = new int[parted.length];
-            sourceIsActive = new boolean[parted.length];
-        }
+        reserve();
         candidates = all ? contacts.count : contacts.activeCount;
         every = all;
         int blocks = Blocks.count(candidates, ROWS_PER_BLOCK);
