@@ -12,8 +12,8 @@ import java.util.Arrays;
  * <p>One thread changes it; any number may ask between changes. Allocates only when it grows.
  */
 public final class PairSet implements Stateful {
-    private long[] keys = new long[64];
-    private int shift = 64 - 6;
+    private long[] keys = new long[1024];
+    private int shift = 64 - 10;
     private int size;
 
     /** Room for the pairs of a state, smaller slots and larger ones. */

@@ -92,9 +92,11 @@ public final class ContactRows {
         reserve();
     }
 
-    /** As soon as there are rows, and not when the first of them leaves, which may be much later. */
+    /**
+     * As soon as there are rows, and not when the first of them leaves, which may be much later.
+     */
     private void reserve() {
-        if (parted.length < contacts.count) {
+        if (parted.length < contacts.bodyA.length) {
             parted = new boolean[contacts.bodyA.length];
             partedInBlock = new int[Blocks.count(parted.length, ROWS_PER_BLOCK)];
             hole = new int[parted.length];

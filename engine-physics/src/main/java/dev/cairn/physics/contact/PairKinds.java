@@ -84,7 +84,7 @@ final class PairKinds {
         contacts = rows;
         reach = ahead;
         int blocks = Blocks.count(rows.activeCount, ROWS_PER_BLOCK);
-        if (kind.length < rows.activeCount) {
+        if (kind.length < rows.active.length) {
             kind = new byte[rows.active.length];
             sorted = new int[rows.active.length];
             cursor = new int[KINDS * Blocks.count(kind.length, ROWS_PER_BLOCK)];

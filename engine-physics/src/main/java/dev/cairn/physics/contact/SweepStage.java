@@ -151,7 +151,7 @@ public final class SweepStage {
         int slots = colliders.bodies.slotCount;
         int count = contacts.activeCount;
         int blocks = Blocks.count(count, ROWS_PER_BLOCK);
-        if (state.length < count) {
+        if (state.length < contacts.bodyA.length) {
             state = new byte[contacts.bodyA.length];
             when = new double[state.length];
             closing = new int[Blocks.count(state.length, ROWS_PER_BLOCK)];

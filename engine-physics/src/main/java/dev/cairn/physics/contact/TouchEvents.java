@@ -131,7 +131,7 @@ public final class TouchEvents implements Stateful {
         PairGroups groups = pairs.groups;
         contacts = rows;
         int count = rows.activeCount;
-        if (change.length < count) {
+        if (change.length < rows.bodyA.length) {
             change = new byte[rows.bodyA.length];
             changesInBlock = new int[Blocks.count(change.length, ROWS_PER_BLOCK)];
         }

@@ -28,7 +28,7 @@ final class TrackedBodies {
     }
 
     void begin() {
-        if (seen.length < contacts.count) {
+        if (seen.length < contacts.bodyA.length) {
             seen = new boolean[contacts.bodyA.length];
         }
     }

@@ -100,7 +100,7 @@ public final class SeamStage implements Stateful {
         contacts.endLoans();
         activeBefore = contacts.activeCount;
         int blocks = Blocks.count(contacts.activeCount, ROWS_PER_BLOCK);
-        if (found.length < contacts.activeCount) {
+        if (found.length < contacts.bodyA.length) {
             found = new int[contacts.bodyA.length];
             foundInBlock = new int[Blocks.count(found.length, ROWS_PER_BLOCK)];
         }

@@ -45,7 +45,6 @@ final class InelasticImpact {
 
     private final MultiPointImpact impact = new MultiPointImpact();
     private final ImpactStart start = new ImpactStart();
-    private final PressureCentre pressure = new PressureCentre();
 
     /** Six zeros for static bodies, then acceleration of the body: without its contact. */
     private final double[] free = new double[12];
@@ -200,12 +199,8 @@ final class InelasticImpact {
             body[at + c] += time * held[6 + c];
         }
         turnLevers(time);
-        boolean moves = pressure.open(rows, bodies, contacts, place);
         impact.uniform(0);
-        agree(rounds, moves);
-        if (moves) {
-            pressure.restore();
-        }
+        agree(rounds);
         ScalarFriction.total(d, o, lanes, points);
         for (int c = 0; c < 6; c++) {
             body[at + c] -= time * free[6 + c];
@@ -233,15 +228,11 @@ final class InelasticImpact {
     }
 
     /** Normals, and friction bounded by them, until no impulse changes. */
-    private void agree(int rounds, boolean moves) {
+    private void agree(int rounds) {
         for (int round = 0; round < rounds; round++) {
             double change = impact.newton(0);
             if (!(d[o + FRICTION * lanes] > 0)) {
                 return;
-            }
-            if (moves && round == 0) {
-                // once: a centre that followed each round would agree slowly with what it bounds
-                pressure.move();
             }
             double x = d[o + LAMBDA * lanes];
             double y = d[o + (LAMBDA + 1) * lanes];
