@@ -12,8 +12,11 @@ import java.util.Arrays;
  * <p>One thread changes it; any number may ask between changes. Allocates only when it grows.
  */
 public final class PairSet implements Stateful {
-    private long[] keys = new long[1024];
-    private int shift = 64 - 10;
+    /** As many bits as the first table has: of 8 kB, so that small scenes never grow it. */
+    private static final int FIRST_BITS = 10;
+
+    private long[] keys = new long[1 << FIRST_BITS];
+    private int shift = 64 - FIRST_BITS;
     private int size;
 
     /** Room for the pairs of a state, smaller slots and larger ones. */

@@ -93,7 +93,8 @@ public final class ContactRows {
     }
 
     /**
-     * As soon as there are rows, and not when the first of them leaves, which may be much later.
+     * Room for all rows to leave: when the store grows, and not when the first of them leaves,
+     * which may be much later. A state that was restored may have more of them than before.
      */
     private void reserve() {
         if (parted.length < contacts.bodyA.length) {
