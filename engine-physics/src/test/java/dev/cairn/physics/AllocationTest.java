@@ -1,6 +1,7 @@
 package dev.cairn.physics;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
@@ -344,6 +345,32 @@ class AllocationTest {
      */
     private static PhysicsWorldBuilder scalar() {
         return PhysicsWorld.builder().settings(PhysicsSettings.DEFAULT.withLanes(1));
+    }
+
+    /** Room for rows to leave is made when there are rows: it came with the first that left. */
+    @Test
+    void theFirstContactThatPartsAllocatesNothing() {
+        // the first world links the methods
+        bytesOfParting();
+        assertEquals(0, bytesOfParting(), "bytes in the ticks in which a contact parts");
+    }
+
+    private static long bytesOfParting() {
+        try (PhysicsWorld world = scalar().sleeping(false).workers(1).build()) {
+            Scenes.stack(world, 3);
+            BodyRef ball = world.add(Body.dynamic().shape(Sphere.of(0.2)).at(5, 0.2, 0));
+            for (int tick = 0; tick < 100; tick++) {
+                world.step(Scenes.STEP);
+            }
+            ball.setVelocity(0, 20, 0);
+            long bytes = 0;
+            for (int tick = 0; tick < 20; tick++) {
+                long before = THREADS.getCurrentThreadAllocatedBytes();
+                world.step(Scenes.STEP);
+                bytes += THREADS.getCurrentThreadAllocatedBytes() - before;
+            }
+            return bytes;
+        }
     }
 
     private static void measure(PhysicsWorld world, int warmUp) {
