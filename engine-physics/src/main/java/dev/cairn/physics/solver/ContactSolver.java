@@ -303,7 +303,7 @@ public final class ContactSolver {
             p.carry(sub, b, own);
             boolean paced = small && tick.body.boundsEnergy;
             if (paced) {
-                energy.pace(tick, head, tail);
+                energy.pace(tick, sub, assemblies, b, head, tail);
             }
             p.drift(sub, head, tail, paced);
             p.joints.place(firstJoined, endJoined);
@@ -327,7 +327,7 @@ public final class ContactSolver {
             p.joints.stop(sub, firstJoined, endJoined, own);
             p.finish(sub, head, tail, own);
             if (small && tick.body.boundsEnergy) {
-                energy.bound(tick, head, tail);
+                energy.bound(tick, assemblies, b, head, tail, own);
             }
         }
         p.storeBodies(head, tail);

@@ -4,6 +4,7 @@ import static dev.cairn.physics.solver.body.SolverBodies.MASS;
 import static dev.cairn.physics.solver.body.SolverBodies.V;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.solver.body.AxisLocks;
 import dev.cairn.physics.solver.body.DrivenSides;
@@ -11,7 +12,10 @@ import dev.cairn.physics.solver.body.MotionRecord;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.graph.Batches;
+import dev.cairn.physics.solver.joint.Assemblies;
+import dev.cairn.physics.solver.joint.Assembly;
 import dev.cairn.physics.solver.row.EdgeList;
+import dev.cairn.physics.solver.row.SubStep;
 
 import java.util.Arrays;
 import java.util.function.IntPredicate;
@@ -42,9 +46,14 @@ import java.util.function.IntPredicate;
  *
  * <p>Only islands of which a body turns when the tick begins, or moves far, and one turns by more
  * than 0.05 rad in the sub-step: what a column that lands gains in one sub-step, since one sweep
- * does not reach its top, it loses in the next. Not those with constraints of other kinds or with
- * kinematic bodies, since they do work. One worker to an island. Allocates only while slots are
- * added. Source: own study.
+ * does not reach its top, it loses in the next.
+ *
+ * <p>And those with joints or something that is driven, where contacts, limits and drives may
+ * contradict each other. With u the speed of what is driven, M the mass of the island and W what
+ * its motors and springs may give, {@code E > 1.05 ((sqrt(E0) + 4 u sqrt(M/2))² + W)}: velocities
+ * that rows allow are the nearest, and one with what drives is among them, or one that a lever
+ * makes some times as fast. What joints hold together is scaled as one, so they still hold. One
+ * worker to an island. Allocates only while slots are added. Source: own study.
  */
 final class IslandEnergy {
     /**
@@ -62,8 +71,14 @@ final class IslandEnergy {
     /** Turn in a sub-step, rad, up to which levers are right enough. */
     private static final double FAR = 0.05;
 
+    /** The same of an island with joints or driven bodies, over what may have come from outside. */
+    private static final double LOOSE = 0.05;
+
+    /** How much faster than a driven body it may make others by levers, in a sub-step. */
+    private static final double LEVERAGE = 4;
+
     /** Numbers to an island, at its smallest slot. */
-    private static final int STRIDE = 28;
+    private static final int STRIDE = 11;
 
     /** Twice the energy without contacts, with them, and of those that gained. */
     private static final int FREE = 0;
@@ -71,34 +86,33 @@ final class IslandEnergy {
     private static final int NOW = 1;
     private static final int GAINED = 2;
 
-    /** Mass, momentum, impulse of the contacts, and up to which size that is none. */
+    /** Mass, impulse of the contacts, and up to which size that is none. */
     private static final int TOTAL_MASS = 3;
 
-    private static final int MOMENTUM = 4;
-    private static final int PUSH = 7;
-    private static final int SIZE = 10;
+    private static final int PUSH = 4;
+    private static final int SIZE = 7;
 
     /** Square of the largest turn of a body in the sub-step, rad. */
-    private static final int TURN = 11;
+    private static final int TURN = 8;
 
-    /** Mass times place, angular momentum and inertia; about the island's smallest slot. */
-    private static final int PLACE = 12;
+    /** Twice the energy that motors and springs may have given, and that there may be. */
+    private static final int GIVEN = 9;
 
-    private static final int ANGULAR = 15;
-    private static final int INERTIA = 18;
-
-    /** Of the rigid body: where its centre is, how it turns, and the share k of what is left. */
-    private static final int CENTRE = PLACE;
-
-    private static final int SPIN = ANGULAR;
-    private static final int SHARE = 27;
+    private static final int MOST = 10;
 
     private double[] sums = {};
 
-    /** By smallest slot of an island: whether a body of it turns, and whether it may do work. */
+    /** By smallest slot of an island: whether a body of it turns, and whether it has joints. */
     private boolean[] turning = {};
 
+    private boolean[] joined = {};
+
+    /** By smallest slot: speed of the fastest surface of a body that is driven, m/s. */
+    private double[] drive = {};
+
+    /** By smallest slot: whether constraints of unknown kind may do work. */
     private boolean[] works = {};
+
     private Islands islands = new Islands();
 
     /**
@@ -113,7 +127,7 @@ final class IslandEnergy {
             EdgeList list,
             DrivenSides sides,
             IntPredicate turns) {
-        boolean any = false;
+        boolean any = list.first[1] < list.count || sides.count() > 0 || tick.bodies.belts > 0;
         for (int k = 0; k < batches.boundCount && !any; k++) {
             any = turns.test(batches.bound[k]);
         }
@@ -125,7 +139,9 @@ final class IslandEnergy {
         for (int k = 0; k < batches.boundCount; k++) {
             int i = batches.bound[k];
             turning[i] = false;
+            joined[i] = false;
             works[i] = false;
+            drive[i] = 0;
         }
         for (int k = 0; k < batches.boundCount; k++) {
             int i = batches.bound[k];
@@ -133,19 +149,40 @@ final class IslandEnergy {
                 turning[islands.root(i)] = true;
             }
         }
-        // constraints of other kinds may do work, and so do bodies that are driven
-        for (int m = list.first[1]; m < list.count; m++) {
-            exempt(list.mover(m));
-        }
-        for (int k = 0; k < sides.count(); k++) {
-            exempt(list.mover(sides.edge(k)));
-        }
-        boolean[] hasBelt = tick.bodies.hasBelt;
-        for (int m = 0; tick.bodies.belts > 0 && m < list.contacts; m++) {
-            if (hasBelt[list.mover(m)] || (list.isBetweenMovers(m) && hasBelt[list.slotB[m]])) {
-                exempt(list.mover(m));
+        for (int kind = 0; kind < list.kinds.length; kind++) {
+            boolean[] what = list.kinds[kind].source() instanceof JointStore ? joined : works;
+            for (int m = list.first[kind + 1]; m < list.first[kind + 2]; m++) {
+                what[islands.root(list.mover(m))] = true;
             }
         }
+        findDrives(tick, list, sides);
+    }
+
+    private void findDrives(SolverContext tick, EdgeList list, DrivenSides sides) {
+        BodyStore b = tick.bodies;
+        for (int k = 0; k < sides.count(); k++) {
+            int mover = list.mover(sides.edge(k));
+            int i = sides.slot(k);
+            double x = b.angularVelocityX[i];
+            double y = b.angularVelocityY[i];
+            double spin = SolverBodies.norm(x, y, b.angularVelocityZ[i]);
+            double far =
+                    SolverBodies.norm(b.apartX(i, mover), b.apartY(i, mover), b.apartZ(i, mover));
+            drive(mover, 0.5 * sides.twiceFastest(tick.body, k) + spin * far);
+        }
+        double[] belt = tick.contacts.belt;
+        for (int m = 0; b.belts > 0 && m < list.contacts; m++) {
+            int c = 3 * list.source[m];
+            boolean has = b.hasBelt[list.mover(m)];
+            has |= list.isBetweenMovers(m) && b.hasBelt[list.slotB[m]];
+            drive(list.mover(m), has ? SolverBodies.norm(belt[c], belt[c + 1], belt[c + 2]) : 0);
+        }
+    }
+
+    /** Something that moves at a speed of its own drives the island of a body. */
+    private void drive(int slot, double speed) {
+        int root = islands.root(slot);
+        drive[root] = Math.max(drive[root], speed);
     }
 
     private void begin(Islands ofTick, int slots) {
@@ -154,13 +191,20 @@ final class IslandEnergy {
             int n = Math.max(slots, Math.max(64, turning.length + (turning.length >> 1)));
             sums = new double[STRIDE * n];
             turning = new boolean[n];
+            joined = new boolean[n];
             works = new boolean[n];
+            drive = new double[n];
         }
     }
 
-    /** The island of a body does work. */
-    private void exempt(int slot) {
-        works[islands.root(slot)] = true;
+    /** Whether the island of a root has a bound. */
+    private boolean isBound(int root) {
+        return !works[root] && (turning[root] || isOpen(root));
+    }
+
+    /** Whether energy may come from joints or what is driven. */
+    private boolean isOpen(int root) {
+        return joined[root] || drive[root] > 0;
     }
 
     /**
@@ -169,29 +213,34 @@ final class IslandEnergy {
      * too: a needle of a micrometre was put up by 7 mm in one tick. So the island moves no farther
      * than with the energy that it has without contacts.
      */
-    void pace(SolverContext tick, int head, int tail) {
+    void pace(SolverContext tick, SubStep sub, Assemblies assemblies, int b, int head, int tail) {
         double[] pace = tick.body.pace;
         boolean any = false;
         for (int k = head; k < tail; k++) {
-            any |= tick.body.turnsFar(tick.order[k], tick.subStep);
-            pace[tick.order[k]] = 1;
+            int i = tick.order[k];
+            any |= isOpen(islands.root(i)) || tick.body.turnsFar(i, tick.subStep);
+            pace[i] = 1;
         }
         if (!any) {
             return;
         }
-        sum(tick, head, tail);
+        sum(tick, assemblies, b, head, tail);
         double far = SolverBodies.FAR_TURN * SolverBodies.FAR_TURN;
+        double push = sub.pushSpeed * sub.pushSpeed;
         for (int k = head; k < tail; k++) {
             int i = tick.order[k];
-            int at = STRIDE * islands.root(i);
-            double most = sums[at + FREE];
-            if (sums[at + TURN] > far && sums[at + NOW] > most) {
+            int root = islands.root(i);
+            int at = STRIDE * root;
+            boolean isOpen = isOpen(root);
+            // what overlaps is pushed out without a speed
+            double most = sums[at + MOST] + (isOpen ? push * sums[at + TOTAL_MASS] : 0);
+            if ((isOpen || sums[at + TURN] > far) && sums[at + NOW] > most) {
                 pace[i] = Math.sqrt(most / sums[at + NOW]);
             }
         }
     }
 
-    private void sum(SolverContext tick, int head, int tail) {
+    private void sum(SolverContext tick, Assemblies assemblies, int b, int head, int tail) {
         for (int k = head; k < tail; k++) {
             int at = STRIDE * tick.order[k];
             Arrays.fill(sums, at, at + STRIDE, 0.0);
@@ -199,41 +248,74 @@ final class IslandEnergy {
         for (int k = head; k < tail; k++) {
             int i = tick.order[k];
             int root = islands.root(i);
-            if (turning[root] && !works[root]) {
+            if (isBound(root)) {
                 add(tick.body, i, STRIDE * root, tick.subStep);
             }
+        }
+        for (int a = assemblies.first(b); a < assemblies.first(b + 1); a++) {
+            Assembly assembly = assemblies.at(a);
+            sums[STRIDE * islands.root(assembly.body[0]) + GIVEN] += 2 * assembly.given;
+        }
+        for (int k = head; k < tail; k++) {
+            int root = tick.order[k];
+            int at = STRIDE * root;
+            double most = sums[at + FREE];
+            if (isOpen(root)) {
+                double driven = LEVERAGE * drive[root] * Math.sqrt(sums[at + TOTAL_MASS]);
+                most = (Math.sqrt(most) + driven) * (Math.sqrt(most) + driven) + sums[at + GIVEN];
+            }
+            sums[at + MOST] = most;
         }
     }
 
     /** End of a sub-step, of the bodies of whole islands from {@code head} to {@code tail}. */
-    void bound(SolverContext tick, int head, int tail) {
-        sum(tick, head, tail);
-        boolean any = false;
+    void bound(
+            SolverContext tick,
+            Assemblies assemblies,
+            int b,
+            int head,
+            int tail,
+            WorkerScratch own) {
+        sum(tick, assemblies, b, head, tail);
         for (int k = head; k < tail; k++) {
             int i = tick.order[k];
-            int at = STRIDE * islands.root(i);
-            if (gains(at) && !isPushed(at)) {
-                addPlaces(tick, i, islands.root(i));
-                any = true;
+            int root = islands.root(i);
+            if (tick.body.guide[i] >= 0 || !gains(root)) {
+                continue;
             }
-        }
-        for (int k = head; k < tail && any; k++) {
-            int i = tick.order[k];
-            if (islands.root(i) == i && gains(STRIDE * i) && !isPushed(STRIDE * i)) {
-                solidify(STRIDE * i);
-            }
-        }
-        for (int k = head; k < tail; k++) {
-            int i = tick.order[k];
-            int at = STRIDE * islands.root(i);
-            if (tick.body.guide[i] < 0 && gains(at)) {
-                cut(tick, i, at);
+            if (isPushed(STRIDE * root)) {
+                cut(tick, i, root);
+            } else if (root == i) {
+                cutInner(tick, root, head, tail, own);
             }
         }
     }
 
-    private boolean gains(int at) {
-        return sums[at + TURN] > FAR * FAR && sums[at + NOW] > (1 + GROSS) * sums[at + FREE];
+    /** Nothing is around: what the motion is beside that of one rigid body pays. */
+    private void cutInner(SolverContext tick, int root, int head, int tail, WorkerScratch own) {
+        if (own.island.length < tail - head) {
+            own.island = new int[2 * (tail - head)];
+        }
+        int n = 0;
+        for (int k = head; k < tail; k++) {
+            if (islands.root(tick.order[k]) == root) {
+                own.island[n++] = tick.order[k];
+            }
+        }
+        double kinetic = 0.5 * sums[STRIDE * root + NOW];
+        double excess = kinetic - 0.5 * sums[STRIDE * root + MOST];
+        own.inner.cut(tick, own.island, n, excess, kinetic, true);
+        for (int k = 0; k < n; k++) {
+            lock(tick, own.island[k]);
+        }
+    }
+
+    private boolean gains(int root) {
+        int at = STRIDE * root;
+        if (isOpen(root)) {
+            return sums[at + NOW] > (1 + LOOSE) * sums[at + MOST];
+        }
+        return sums[at + TURN] > FAR * FAR && sums[at + NOW] > (1 + GROSS) * sums[at + MOST];
     }
 
     /** Whether something that does not move has pushed an island. */
@@ -262,7 +344,6 @@ final class IslandEnergy {
         sums[at + TOTAL_MASS] += mass;
         for (int c = 0; c < 3; c++) {
             double push = mass * (v[o + V + c] - s.motion[g + c]);
-            sums[at + MOMENTUM + c] += mass * v[o + V + c];
             sums[at + PUSH + c] += push;
             sums[at + SIZE] += NONE * Math.abs(push) + NOISE * mass * Math.abs(v[o + V + c]);
         }
@@ -275,154 +356,27 @@ final class IslandEnergy {
         return mass * linear + turn;
     }
 
-    private void cut(SolverContext tick, int i, int at) {
-        SolverBodies s = tick.body;
-        double[] v = s.state;
-        int o = SolverBodies.offset(i);
-        if (isPushed(at)) {
-            double mass = 1 / v[o + MASS];
-            int g = MotionRecord.STRIDE * i + MotionRecord.FREE;
-            if (twice(v, o + V, mass) > twice(s.motion, g, mass)) {
-                double excess = sums[at + NOW] - sums[at + FREE];
-                double k = Math.sqrt(Math.max(0, 1 - excess / sums[at + GAINED]));
-                for (int c = 0; c < 6; c++) {
-                    v[o + V + c] *= k;
-                }
-            }
-        } else {
-            scale(tick, i, islands.root(i));
-        }
-        if (tick.bodies.motionFlags[i] != 0) {
-            AxisLocks.lock(tick.bodies, v, o);
-        }
-    }
-
-    /** From the smallest slot of an island to a body, along an axis, m. */
-    private static double apart(SolverContext tick, int root, int i, int axis) {
+    /** What gained pays; what joints hold together is scaled as one. */
+    private void cut(SolverContext tick, int i, int root) {
         double[] v = tick.body.state;
-        double moved =
-                v[SolverBodies.offset(i) + SolverBodies.P + axis]
-                        - v[SolverBodies.offset(root) + SolverBodies.P + axis];
-        BodyStore b = tick.bodies;
-        double start =
-                axis == 0 ? b.apartX(root, i) : axis == 1 ? b.apartY(root, i) : b.apartZ(root, i);
-        return start + moved;
-    }
-
-    private void addPlaces(SolverContext tick, int i, int root) {
-        SolverBodies s = tick.body;
-        double[] v = s.state;
-        int at = STRIDE * root;
         int o = SolverBodies.offset(i) + V;
+        int at = STRIDE * root;
         double mass = 1 / v[SolverBodies.offset(i) + MASS];
-        double x = apart(tick, root, i, 0);
-        double y = apart(tick, root, i, 1);
-        double z = apart(tick, root, i, 2);
-        sums[at + PLACE] += mass * x;
-        sums[at + PLACE + 1] += mass * y;
-        sums[at + PLACE + 2] += mass * z;
-        sums[at + ANGULAR] += mass * (y * v[o + 2] - z * v[o + 1]);
-        sums[at + ANGULAR + 1] += mass * (z * v[o] - x * v[o + 2]);
-        sums[at + ANGULAR + 2] += mass * (x * v[o + 1] - y * v[o]);
-        steiner(at, mass, x, y, z);
-        // with L L^T = I^-1 and 1/s² of the columns, L = (s e): I = sum e e^T / s², I w = sum e u/s
-        double[] r = s.root;
-        int k = (i + 1) * SolverBodies.ROOT;
-        for (int c = 0; c < 3; c++) {
-            double moment = r[k + 9 + c];
-            for (int a = 0; a < 3; a++) {
-                double e = moment * r[k + 3 * a + c];
-                sums[at + ANGULAR + a] += e * v[o + 3 + c];
-                for (int d = 0; d < 3; d++) {
-                    sums[at + INERTIA + 3 * a + d] += e * (moment * r[k + 3 * d + c]);
-                }
+        int g = MotionRecord.STRIDE * i + MotionRecord.FREE;
+        boolean all = joined[root];
+        if (all || twice(v, o, mass) > twice(tick.body.motion, g, mass)) {
+            double excess = sums[at + NOW] - sums[at + MOST];
+            double k = Math.sqrt(Math.max(0, 1 - excess / sums[at + (all ? NOW : GAINED)]));
+            for (int c = 0; c < 6; c++) {
+                v[o + c] *= k;
             }
         }
+        lock(tick, i);
     }
 
-    /** Adds the inertia {@code m (x² - x x^T)} of a mass at a place. */
-    private void steiner(int at, double mass, double x, double y, double z) {
-        int j = at + INERTIA;
-        sums[j] += mass * (y * y + z * z);
-        sums[j + 4] += mass * (x * x + z * z);
-        sums[j + 8] += mass * (x * x + y * y);
-        sums[j + 1] -= mass * x * y;
-        sums[j + 3] -= mass * x * y;
-        sums[j + 2] -= mass * x * z;
-        sums[j + 6] -= mass * x * z;
-        sums[j + 5] -= mass * y * z;
-        sums[j + 7] -= mass * y * z;
-    }
-
-    /** Finds the rigid body of an island, and the share of the rest that is left. */
-    private void solidify(int at) {
-        double mass = sums[at + TOTAL_MASS];
-        double one = 1 / mass;
-        double x = one * sums[at + PLACE];
-        double y = one * sums[at + PLACE + 1];
-        double z = one * sums[at + PLACE + 2];
-        double px = sums[at + MOMENTUM];
-        double py = sums[at + MOMENTUM + 1];
-        double pz = sums[at + MOMENTUM + 2];
-        double lx = sums[at + ANGULAR] - (y * pz - z * py);
-        double ly = sums[at + ANGULAR + 1] - (z * px - x * pz);
-        double lz = sums[at + ANGULAR + 2] - (x * py - y * px);
-        steiner(at, -mass, x, y, z);
-        int j = at + INERTIA;
-        double a = sums[j];
-        double b = sums[j + 1];
-        double c = sums[j + 2];
-        double d = sums[j + 4];
-        double e = sums[j + 5];
-        double f = sums[j + 8];
-        double det = a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d);
-        double by = det > 0 ? 1 / det : 0;
-        double wx = by * ((d * f - e * e) * lx + (c * e - b * f) * ly + (b * e - c * d) * lz);
-        double wy = by * ((c * e - b * f) * lx + (a * f - c * c) * ly + (b * c - a * e) * lz);
-        double wz = by * ((b * e - c * d) * lx + (b * c - a * e) * ly + (a * d - b * b) * lz);
-        double flight = one * (px * px + py * py + pz * pz);
-        double spin = wx * lx + wy * ly + wz * lz;
-        double excess = sums[at + NOW] - sums[at + FREE];
-        double own = sums[at + NOW] - flight - spin;
-        if (!(own > excess)) {
-            // a lone body, whose turning itself has gained
-            own += spin;
-            wx = wy = wz = 0;
-        }
-        sums[at + SHARE] = own > 0 ? Math.sqrt(Math.max(0, 1 - excess / own)) : 1;
-        sums[at + CENTRE] = x;
-        sums[at + CENTRE + 1] = y;
-        sums[at + CENTRE + 2] = z;
-        sums[at + SPIN] = wx;
-        sums[at + SPIN + 1] = wy;
-        sums[at + SPIN + 2] = wz;
-    }
-
-    /** Scales what the velocities of a body are besides those of the rigid body. */
-    private void scale(SolverContext tick, int i, int root) {
-        double[] v = tick.body.state;
-        int at = STRIDE * root;
-        int o = SolverBodies.offset(i) + V;
-        double x = apart(tick, root, i, 0) - sums[at + CENTRE];
-        double y = apart(tick, root, i, 1) - sums[at + CENTRE + 1];
-        double z = apart(tick, root, i, 2) - sums[at + CENTRE + 2];
-        double wx = sums[at + SPIN];
-        double wy = sums[at + SPIN + 1];
-        double wz = sums[at + SPIN + 2];
-        double one = 1 / sums[at + TOTAL_MASS];
-        double share = sums[at + SHARE];
-        double vx = one * sums[at + MOMENTUM] + (wy * z - wz * y);
-        double vy = one * sums[at + MOMENTUM + 1] + (wz * x - wx * z);
-        double vz = one * sums[at + MOMENTUM + 2] + (wx * y - wy * x);
-        v[o] = vx + share * (v[o] - vx);
-        v[o + 1] = vy + share * (v[o + 1] - vy);
-        v[o + 2] = vz + share * (v[o + 2] - vz);
-        double[] r = tick.body.root;
-        int k = (i + 1) * SolverBodies.ROOT;
-        for (int c = 0; c < 3; c++) {
-            // L^-1 W
-            double u = r[k + 9 + c] * (r[k + c] * wx + r[k + 3 + c] * wy + r[k + 6 + c] * wz);
-            v[o + 3 + c] = u + share * (v[o + 3 + c] - u);
+    private static void lock(SolverContext tick, int i) {
+        if (tick.bodies.motionFlags[i] != 0) {
+            AxisLocks.lock(tick.bodies, tick.body.state, SolverBodies.offset(i));
         }
     }
 }

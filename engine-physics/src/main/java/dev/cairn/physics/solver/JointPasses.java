@@ -57,6 +57,7 @@ final class JointPasses {
             local.joints.account(sub);
             local.joints.warm(index == 0 ? sub.fillScale : 1);
             show(assemblies.at(a));
+            local.joints.give(sub, true);
             local.joints.presses(false);
         }
     }
@@ -104,6 +105,7 @@ final class JointPasses {
             open(sub, a, local);
             local.joints.sweeps(true);
             local.joints.velocity(sub, !assemblies.at(a).isTaut(), rows);
+            local.joints.give(sub, false);
             local.joints.settle();
             show(assemblies.at(a));
         }

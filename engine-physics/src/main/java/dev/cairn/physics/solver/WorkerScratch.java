@@ -4,6 +4,7 @@ import dev.cairn.physics.solver.direct.DirectSolve;
 import dev.cairn.physics.solver.impact.ImpactStart;
 import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.joint.AssemblyFlight;
+import dev.cairn.physics.solver.joint.InnerMotion;
 import dev.cairn.physics.solver.joint.JointSolve;
 import dev.cairn.physics.solver.refresh.RefreshRow;
 import dev.cairn.physics.solver.row.Scratch;
@@ -19,4 +20,8 @@ final class WorkerScratch {
     final ImpactStart start = new ImpactStart();
     final JointSolve joints = new JointSolve();
     final AssemblyFlight swing = new AssemblyFlight();
+    final InnerMotion inner = new InnerMotion();
+
+    /** Slots of the bodies of an island. */
+    int[] island = {};
 }

@@ -104,6 +104,11 @@ public final class DrivenSides {
         return body[side];
     }
 
+    /** Twice the largest speed of a point of a side, m/s. */
+    public double twiceFastest(SolverBodies s, int side) {
+        return s.fastest[firstSlot + side];
+    }
+
     /** How many there are. */
     public int count() {
         return count;

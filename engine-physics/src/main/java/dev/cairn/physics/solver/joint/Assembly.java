@@ -125,6 +125,9 @@ public final class Assembly {
     /** Whether a motor or a spring acts in it. */
     boolean isDriven;
 
+    /** Energy that motors and springs may give in the sub-step, J. */
+    public double given;
+
     /** Time since the tick's begin that its poses are of, s: kinematic partners move by it. */
     double time;
 
@@ -201,6 +204,9 @@ public final class Assembly {
      */
     double[] impactImpulses = new double[POINTS * ROOM];
 
+    /** The same before a solve that may be taken back. */
+    double[] firstImpacts = new double[POINTS * ROOM];
+
     boolean gives;
 
     /** Notes a contact with static bodies; those come first. */
@@ -214,6 +220,7 @@ public final class Assembly {
         if (touchCount == stand.length) {
             stand = Arrays.copyOf(stand, 2 * touchCount + 4);
             impactImpulses = new double[POINTS * stand.length];
+            firstImpacts = new double[POINTS * stand.length];
         }
         stand[touchCount++] = edge;
     }

@@ -197,24 +197,58 @@ abstract class ContactCoupling extends PositionCorrection {
     }
 
     /** Masses of the assembly and of what it is solved with. */
-    private double mass(ConstraintRows rows) {
+    double mass(ConstraintRows rows) {
         double sum = 0;
         for (int i : s.body) {
             sum += 1 / tick.body.state[SolverBodies.offset(i) + SolverBodies.MASS];
         }
         for (int e = s.standCount; e < s.touchCount; e++) {
             int slot = freeSlot(rows, s.stand[e]);
-            boolean isNew = true;
-            for (int k = s.standCount; k < e && isNew; k++) {
-                isNew = freeSlot(rows, s.stand[k]) != slot;
-            }
-            sum += isNew ? 1 / tick.body.state[SolverBodies.offset(slot) + SolverBodies.MASS] : 0;
+            double m = 1 / tick.body.state[SolverBodies.offset(slot) + SolverBodies.MASS];
+            sum += isFirst(rows, e, slot) ? m : 0;
         }
         return sum;
     }
 
+    /** Whether no contact before one of those with a free body is with the same body. */
+    boolean isFirst(ConstraintRows rows, int e, int slot) {
+        for (int k = s.standCount; k < e; k++) {
+            if (freeSlot(rows, s.stand[k]) == slot) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Begins to note what is given to contacts, see {@link #unload}. */
+    void noteImpacts() {
+        int n = Assembly.POINTS * s.touchCount;
+        System.arraycopy(s.impactImpulses, 0, s.firstImpacts, 0, n);
+    }
+
+    /**
+     * Takes back what was given to contacts since {@link #noteImpacts}, but for the assembly's own
+     * velocities.
+     */
+    void unload(ConstraintRows rows, SubStep sub, boolean soft) {
+        gather(rows, sub, true);
+        double[] d = rows.doubles;
+        for (int p = 0; p < points; p++) {
+            double l = s.firstImpacts[place[p]] - s.impactImpulses[place[p]];
+            s.impactImpulses[place[p]] = s.firstImpacts[place[p]];
+            d[field[p] + IMPULSE * rows.lanes] += l;
+            d[sum[p]] += soft ? 0 : l;
+            if (free[p] != 0) {
+                int other = Math.abs(free[p]);
+                double signed = free[p] < 0 ? -l : l;
+                int arm = freeArm(p, rows.lanes);
+                add(d, rows.lanes, normal[p], arm, other, signed, tick.body.state, other);
+            }
+        }
+    }
+
     /** The body of a contact between two that move that is not of the assembly. */
-    private int freeSlot(ConstraintRows rows, int m) {
+    int freeSlot(ConstraintRows rows, int m) {
         int a = rows.list.slotA[m];
         return Arrays.binarySearch(s.body, a) < 0 ? a : rows.list.slotB[m];
     }

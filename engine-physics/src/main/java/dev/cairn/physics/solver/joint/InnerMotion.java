@@ -7,7 +7,7 @@ import dev.cairn.physics.solver.body.SolverContext;
 import java.util.Arrays;
 
 /**
- * What of the motion of an assembly that floats is not that of one rigid body.
+ * What of the motion of bodies that float together is not that of one rigid body.
  *
  * <p>With c the centre of mass, V its velocity, L the angular momentum and I the inertia about it,
  * the rigid motion is {@code u = V + w × (x - c)}, {@code I w = L}. Joints see nothing of it, and
@@ -15,7 +15,7 @@ import java.util.Arrays;
  *
  * <p>One to a worker. Does not allocate.
  */
-final class InnerMotion {
+public final class InnerMotion {
     private final double[] centre = new double[3];
 
     /** Sum of masses times places: arms are from the first body while it is made. */
@@ -38,22 +38,51 @@ final class InnerMotion {
     /** Whether all bodies can turn; else only the common velocity is known. */
     private boolean turns;
 
-    /** Takes energy away from the inner motion; how much there was to take, J. */
+    /** The bodies, and how many. */
+    private int[] body = {};
+
+    private int count;
+
+    /** Takes energy away from the inner motion of an assembly; how much there was to take, J. */
     double cut(SolverContext tick, Assembly s, double excess, double kinetic) {
-        gather(tick, s);
+        return cut(tick, s.body, s.body.length, excess, kinetic, false);
+    }
+
+    /**
+     * Takes energy away from the inner motion.
+     *
+     * @param bodies slots, of which the first {@code length} are meant
+     * @param excess energy to be taken, J
+     * @param kinetic energy of motion of all, J
+     * @param spins whether their turning as one pays, too, where the rest is not enough
+     * @return how much there was to take, J
+     */
+    public double cut(
+            SolverContext tick,
+            int[] bodies,
+            int length,
+            double excess,
+            double kinetic,
+            boolean spins) {
+        gather(tick, bodies, length);
         double rigid = 0;
         for (int c = 0; c < 3; c++) {
             rigid += 0.5 * (mass * speed[c] * speed[c] + spin[c] * angular[c]);
         }
         double inner = kinetic - rigid;
+        if (spins && turns && !(inner > excess)) {
+            inner += 0.5 * (spin[0] * angular[0] + spin[1] * angular[1] + spin[2] * angular[2]);
+            Arrays.fill(spin, 0.0);
+        }
         if (!(inner > 0)) {
             return 0;
         }
         double f = Math.sqrt(Math.max(0, 1 - excess / inner)) - 1;
         double[] v = tick.body.state;
-        for (int i : s.body) {
+        for (int n = 0; n < count; n++) {
+            int i = body[n];
             int o = SolverBodies.offset(i);
-            reach(tick, s, i);
+            reach(tick, i);
             double[] mark = tick.body.mark;
             int w = (i + 1) * SolverBodies.HALF;
             for (int c = 0; c < 3; c++) {
@@ -75,13 +104,13 @@ final class InnerMotion {
 
     /** Bodies will be moved without their velocities: keeps the angular momentum of now. */
     void note(SolverContext tick, Assembly s) {
-        gather(tick, s);
+        gather(tick, s.body, s.body.length);
         System.arraycopy(angular, 0, noted, 0, 3);
     }
 
     /** They were: turns the whole by what has become of its angular momentum. */
     void giveBack(SolverContext tick, Assembly s) {
-        gather(tick, s);
+        gather(tick, s.body, s.body.length);
         for (int c = 0; c < 3; c++) {
             angular[c] = noted[c] - angular[c];
         }
@@ -91,7 +120,7 @@ final class InnerMotion {
         for (int i : s.body) {
             int o = SolverBodies.offset(i);
             int w = (i + 1) * SolverBodies.HALF;
-            reach(tick, s, i);
+            reach(tick, i);
             invert(tick.body.root, (i + 1) * SolverBodies.ROOT);
             for (int c = 0; c < 3; c++) {
                 double linear = cross(spin, arm, c);
@@ -104,7 +133,9 @@ final class InnerMotion {
         }
     }
 
-    private void gather(SolverContext tick, Assembly s) {
+    private void gather(SolverContext tick, int[] bodies, int length) {
+        body = bodies;
+        count = length;
         double[] v = tick.body.state;
         mass = 0;
         turns = true;
@@ -113,14 +144,15 @@ final class InnerMotion {
         Arrays.fill(speed, 0.0);
         Arrays.fill(angular, 0.0);
         Arrays.fill(inertia, 0.0);
-        for (int i : s.body) {
+        for (int n = 0; n < count; n++) {
+            int i = body[n];
             int o = SolverBodies.offset(i);
             double m = 1 / v[o + SolverBodies.MASS];
             mass += m;
             turns &=
                     tick.bodies.motionFlags[i] == 0
                             && invert(tick.body.root, (i + 1) * SolverBodies.ROOT);
-            reach(tick, s, i);
+            reach(tick, i);
             for (int c = 0; c < 3; c++) {
                 weighed[c] += m * arm[c];
                 speed[c] += m * v[o + c];
@@ -132,31 +164,31 @@ final class InnerMotion {
         }
         Arrays.fill(spin, 0.0);
         if (turns) {
-            for (int i : s.body) {
-                add(tick, s, i);
+            for (int n = 0; n < count; n++) {
+                add(tick, body[n]);
             }
             solve();
         }
     }
 
     /** Place of a body against the centre, m. */
-    private void reach(SolverContext tick, Assembly s, int i) {
+    private void reach(SolverContext tick, int i) {
         BodyStore b = tick.bodies;
         double[] v = tick.body.state;
         int p = SolverBodies.offset(i) + SolverBodies.P;
-        int q = SolverBodies.offset(s.body[0]) + SolverBodies.P;
-        arm[0] = b.apartX(s.body[0], i) + (v[p] - v[q]) - centre[0];
-        arm[1] = b.apartY(s.body[0], i) + (v[p + 1] - v[q + 1]) - centre[1];
-        arm[2] = b.apartZ(s.body[0], i) + (v[p + 2] - v[q + 2]) - centre[2];
+        int q = SolverBodies.offset(body[0]) + SolverBodies.P;
+        arm[0] = b.apartX(body[0], i) + (v[p] - v[q]) - centre[0];
+        arm[1] = b.apartY(body[0], i) + (v[p + 1] - v[q + 1]) - centre[1];
+        arm[2] = b.apartZ(body[0], i) + (v[p + 2] - v[q + 2]) - centre[2];
     }
 
     /** Adds angular momentum and inertia of a body: {@code L^-T L^-1 + m (r.r 1 - r r^T)}. */
-    private void add(SolverContext tick, Assembly s, int i) {
+    private void add(SolverContext tick, int i) {
         double[] v = tick.body.state;
         int o = SolverBodies.offset(i);
         double m = 1 / v[o + SolverBodies.MASS];
         invert(tick.body.root, (i + 1) * SolverBodies.ROOT);
-        reach(tick, s, i);
+        reach(tick, i);
         double square = arm[0] * arm[0] + arm[1] * arm[1] + arm[2] * arm[2];
         for (int c = 0; c < 3; c++) {
             int d = (c + 1) % 3;

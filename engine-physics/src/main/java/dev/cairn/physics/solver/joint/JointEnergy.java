@@ -71,16 +71,21 @@ final class JointEnergy {
 
     /** Energy of motion, J. */
     static double kinetic(SolverContext tick, Assembly s) {
-        double[] v = tick.body.state;
         double sum = 0;
         for (int i : s.body) {
-            int o = SolverBodies.offset(i);
-            double linear = v[o] * v[o] + v[o + 1] * v[o + 1] + v[o + 2] * v[o + 2];
-            double mass = v[o + SolverBodies.MASS];
-            sum += mass > 0 ? linear / mass : 0;
-            sum += v[o + 3] * v[o + 3] + v[o + 4] * v[o + 4] + v[o + 5] * v[o + 5];
+            sum += kinetic(tick, i);
         }
-        return 0.5 * sum;
+        return sum;
+    }
+
+    /** Energy of motion of a body, J. */
+    static double kinetic(SolverContext tick, int i) {
+        double[] v = tick.body.state;
+        int o = SolverBodies.offset(i);
+        double linear = v[o] * v[o] + v[o + 1] * v[o + 1] + v[o + 2] * v[o + 2];
+        double turn = v[o + 3] * v[o + 3] + v[o + 4] * v[o + 4] + v[o + 5] * v[o + 5];
+        double mass = v[o + SolverBodies.MASS];
+        return 0.5 * (mass > 0 ? linear / mass + turn : turn);
     }
 
     /** Energy of place since the tick's begin, J. */

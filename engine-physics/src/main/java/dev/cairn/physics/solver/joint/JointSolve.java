@@ -351,8 +351,12 @@ public final class JointSolve extends PositionTrial {
         if (s.touchCount > 0 && !s.isRigid) {
             presses(false);
             activate(true);
+            note();
+            double most = GUESS * (motion(rows) + pushed(rows, sub) + work());
             rest();
-            if (misses(rows, sub, true)) {
+            if (!(motion(rows) <= most)) {
+                takeBack();
+            } else if (misses(rows, sub, true)) {
                 land(rows, sub);
                 // a blow that was handed on is done, and no load of the steps
                 Arrays.fill(s.impulse, 0.0);

@@ -2,7 +2,10 @@ package dev.cairn.physics.solver.joint;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.JointStore;
+import dev.cairn.physics.solver.body.DrivenSides;
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.SubStep;
 
 /**
  * What motors and springs may give, and the way back: velocities and impulses of before a half of
@@ -16,8 +19,11 @@ abstract class JointWork extends ContactCoupling {
      */
     static final double GAIN = 1.05;
 
+    /** How much faster than a driven body levers may make others. */
+    private static final double LEVERAGE = 4;
+
     /** By what a first guess may exceed the energy that there may be. */
-    private static final double GUESS = 2;
+    static final double GUESS = 2;
 
     /** Of {@link BodyStore#motionFlags}: axes along and about which a body may not move. */
     private static final int LOCKS = 63;
@@ -191,5 +197,44 @@ abstract class JointWork extends ContactCoupling {
             }
         }
         return s.isDriven ? 2 * (sum + stored()) : 0;
+    }
+
+    /**
+     * Notes what may be given in the sub-step: in two halves, and what springs hold at its begin.
+     *
+     * @param isBegin or else its end, when motors' impulses are known
+     */
+    public void give(SubStep sub, boolean isBegin) {
+        h = sub.seconds;
+        double work = s.isNet ? 0 : 2 * work();
+        s.given = isBegin ? work : Math.max(s.given, work);
+    }
+
+    /** Energy of motion of the assembly and of what it is solved with, J. */
+    double motion(ConstraintRows rows) {
+        double sum = kinetic();
+        for (int e = s.standCount; e < s.touchCount; e++) {
+            int slot = freeSlot(rows, s.stand[e]);
+            sum += isFirst(rows, e, slot) ? JointEnergy.kinetic(tick, slot) : 0;
+        }
+        return sum;
+    }
+
+    /**
+     * Energy that contacts may leave beside what there is, J: of all moving at the speed with which
+     * overlaps are pushed out, or some times as fast as what is driven.
+     */
+    double pushed(ConstraintRows rows, SubStep sub) {
+        double fastest = sub.pushSpeed;
+        for (int e = 0; e < s.standCount; e++) {
+            int j = rows.list.place[s.stand[e]] * ConstraintRows.LINK;
+            for (int side = 0; side < 2; side++) {
+                int o = rows.link[j + side];
+                boolean isDriven = o >= tick.body.drivenFrom;
+                double twice = isDriven ? DrivenSides.fastest(tick.body, o) : 0;
+                fastest = Math.max(fastest, 0.5 * LEVERAGE * twice);
+            }
+        }
+        return 0.5 * mass(rows) * fastest * fastest;
     }
 }

@@ -193,22 +193,29 @@ abstract class PositionTrial extends VelocityHalf {
     }
 
     /**
-     * Solves what the assembly stands on, with its joints and the limits that it is driven into.
+     * Solves what the assembly stands on, with its joints and the limits that it is driven into. It
+     * may not gain much by it, or contacts and joints contradict each other, and nothing is done.
      */
     void land(ConstraintRows rows, SubStep sub) {
-        for (int round = 1; ; round++) {
-            rest();
-            carry(rows, sub, true);
-            if (s.isRigid || round == MEETINGS) {
-                return;
-            }
+        note();
+        noteImpacts();
+        double most = GUESS * (motion(rows) + pushed(rows, sub) + work());
+        rest();
+        carry(rows, sub, true);
+        for (int round = 1; !s.isRigid && round < MEETINGS; round++) {
             keep();
             move();
             measure();
             restore();
             if (!meet(true, round)) {
-                return;
+                break;
             }
+            rest();
+            carry(rows, sub, true);
+        }
+        if (!(motion(rows) <= most)) {
+            unload(rows, sub, true);
+            takeBack();
         }
     }
 

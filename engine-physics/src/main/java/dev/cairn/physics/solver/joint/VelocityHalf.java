@@ -47,14 +47,22 @@ abstract class VelocityHalf extends JointWork {
         if (!misses(rows, sub, soft)) {
             return false;
         }
+        note();
+        noteImpacts();
+        double most = GUESS * (motion(rows) + pushed(rows, sub) + work());
         sweeps(false);
         carry(rows, sub, soft);
         for (int round = 1; round < MEETINGS && meet(false, round); round++) {
             halt();
             carry(rows, sub, soft);
         }
+        boolean isWon = motion(rows) <= most;
+        if (!isWon) {
+            unload(rows, sub, soft);
+            takeBack();
+        }
         sweeps(true);
-        return true;
+        return isWon;
     }
 
     /**
