@@ -20,8 +20,10 @@ import org.joml.Vector3dc;
  * (b/R) g/(1 + I/(m R²))}, comes to rest, and stays at rest on slopes up to {@code tan a = b/R}:
  * b/R is what tables call the coefficient of rolling resistance. Typical arms: steel on steel half
  * a millimetre, elm on lignum vitae 0.8 mm (Coulomb); a car tyre, R 0.3 m, of coefficient 0.01, 3
- * mm. By default it is 0, as if bodies and floors were perfectly hard: balls roll until something
- * stops them, and a heap of them spreads.
+ * mm. A single point (of a ball, a capsule) also resists a spin about its normal, as an evenly
+ * pressed disc of radius b: with a torque of up to {@code 2/3 mu b N}. By default it is 0, as if
+ * bodies and floors were perfectly hard: balls roll until something stops them, and a heap of them
+ * spreads.
  *
  * @param friction Coulomb coefficient, dimensionless, finite, at least 0
  * @param restitution Newton's coefficient of restitution, 0 (no bounce) to 1 (bounces to its

@@ -24,7 +24,8 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * Rolling friction, beside Coulomb's law: a torque of up to b N about axes in the contact plane.
+ * Rolling friction, beside Coulomb's law: a torque of up to b N about axes in the contact plane,
+ * and of up to 2/3 mu b N about the normal of a point.
  */
 class RollingTest {
     private static final double TICK = 1 / 60.0;
@@ -100,6 +101,30 @@ class RollingTest {
                     run(world, 10);
                     assertEquals(end.x, body.position().x, 1e-13, what);
                     assertEquals(0, body.position().z, 1e-11, what);
+                }
+            }
+        }
+    }
+
+    /** A disc of radius b: {@code w = w0 - t (2/3) mu b m g / I}, and then it stays. */
+    @Test
+    void aSpinAboutTheNormalSlowsDownEvenlyAndEnds() {
+        double arm = 0.002;
+        double loss = 2.0 / 3 * 0.6 * arm * G / (0.4 * RADIUS * RADIUS);
+        for (int substeps : new int[] {1, 4, 16}) {
+            for (Precision precision : new Precision[] {Precision.DOUBLE, Precision.SINGLE}) {
+                try (PhysicsWorld world = world(substeps, precision, 0)) {
+                    double exact = precision == Precision.DOUBLE ? 1e-11 : 1e-4;
+                    BodyRef ball = roller(world, 0.4, arm, 0);
+                    ball.setAngularVelocity(0, 10, 0);
+                    for (int n = 1; n * TICK < 10 / loss; n++) {
+                        world.step(TICK);
+                        double spin = 10 - loss * n * TICK;
+                        assertEquals(spin, ball.angularVelocity().y, exact, "tick " + n);
+                    }
+                    run(world, 0.1);
+                    assertEquals(0, ball.angularVelocity().length(), exact, "rest " + precision);
+                    assertEquals(0, Math.hypot(ball.position().x, ball.position().z), 1e-12);
                 }
             }
         }
@@ -348,9 +373,9 @@ class RollingTest {
     }
 
     /** A heap of balls that were let fall; the world is the caller's to close. */
-    private static List<BodyRef> heap(PhysicsWorld world, double arm) {
+    private static List<BodyRef> heap(PhysicsWorld world, double arm, long seed) {
         world.add(Body.fixed().shape(HalfSpace.of()).material(material(0.5, 0)));
-        Random random = new Random(11);
+        Random random = new Random(seed);
         List<BodyRef> balls = new ArrayList<>();
         for (int i = 0; i < 200; i++) {
             balls.add(
@@ -374,6 +399,23 @@ class RollingTest {
                 .build();
     }
 
+    /** Where a spin about the normal is not braked, a ball that spins carries others round. */
+    @Tag("compiled")
+    @Test
+    void heapsComeToRest() {
+        for (long seed : new long[] {23, 35, 38}) {
+            try (PhysicsWorld world = world(0, 2, Precision.AUTO)) {
+                List<BodyRef> balls = heap(world, 0.02, seed);
+                run(world, 12);
+                double fastest = 0;
+                for (BodyRef ball : balls) {
+                    fastest = Math.max(fastest, ball.velocity().length());
+                }
+                assertEquals(0, fastest, 1e-4, "seed " + seed);
+            }
+        }
+    }
+
     /** Mean height of the balls, at rest. */
     @Test
     void aHeapIsSteeperAndComesToRest() {
@@ -381,7 +423,7 @@ class RollingTest {
         double[] arms = {0, 0.005, 0.02};
         for (int n = 0; n < 3; n++) {
             try (PhysicsWorld world = world(0, 2, Precision.AUTO)) {
-                List<BodyRef> balls = heap(world, arms[n]);
+                List<BodyRef> balls = heap(world, arms[n], 11);
                 run(world, 12);
                 double fastest = 0;
                 for (BodyRef ball : balls) {
@@ -409,7 +451,7 @@ class RollingTest {
                         continue;
                     }
                     try (PhysicsWorld world = world(lanes, workers, precision)) {
-                        heap(world, 0.01);
+                        heap(world, 0.01, 11);
                         long[] digests = new long[90];
                         for (int tick = 0; tick < digests.length; tick++) {
                             world.step(TICK);

@@ -11,9 +11,9 @@ public final class MotionRecord {
      * Doubles to a body of {@link SolverBodies#motion}, world: velocity at the start; velocity that
      * moved it; angular velocity at the start, then what was added to it before the body turned;
      * angular velocity after the turn; then what a pinned corner needs; then what the energy bound
-     * needs.
+     * needs; then when a point lands.
      */
-    public static final int STRIDE = 30;
+    public static final int STRIDE = 31;
 
     /** Movement, angular velocity and orientation at the start. */
     public static final int START = 12;
@@ -32,7 +32,18 @@ public final class MotionRecord {
      */
     public static final int FREE = 24;
 
+    /** Share of the sub-step after which the first of its points lands, {@link #NEVER} if none. */
+    public static final int LANDS = 30;
+
+    /** In place of a share: no point lands. */
+    public static final double NEVER = -1;
+
     private MotionRecord() {}
+
+    /** Whether a point of a body lands in this sub-step. */
+    public static boolean hasLanded(SolverBodies s, int i) {
+        return s.motion[STRIDE * i + LANDS] != NEVER;
+    }
 
     /** Start of a sub-step, before impacts of the contact. */
     public static void start(SolverBodies s, int i) {

@@ -147,6 +147,11 @@ public final class SolverBodies {
         return guide[slot] >= 0 || guide[slot] == LOST;
     }
 
+    /** Whether a body, by its offset, is guided, see {@link #guide}. */
+    public boolean isGuided(int offset) {
+        return offset != 0 && guide[slot(offset)] >= 0;
+    }
+
     public static int slot(int offset) {
         return offset / STRIDE - 1;
     }

@@ -261,19 +261,26 @@ public final class PrepareRow implements RowFiller {
         int first = ContactStore.POINTS * source;
         int n = c.pointCount[source];
         // Centre of the patch: the mean of the anchors, with points that have left fading out so
-        // that it moves without jumps. The anchors lie midway between the surfaces; against what
-        // does not move, the anchor goes back to the body's own surface, because that is where the
+        // that it moves without jumps. Of a guided body that has not touched yet, those fade that
+        // are behind the first that will; in larger islands, whose energy nothing bounds, the mean
+        // of all stays. The anchors lie midway between the surfaces; against what does not move,
+        // the anchor goes back to the body's own surface, because that is where the
         // body will touch when the gap has closed. Two moving bodies keep the common point, so that
         // their friction makes no angular momentum.
         double spread = 0;
+        double least = c.separation[first];
         for (int p = first + 1; p < first + n; p++) {
             double x = c.anchorAX(p) - c.anchorAX(first);
             double y = c.anchorAY(p) - c.anchorAY(first);
             double z = c.anchorAZ(p) - c.anchorAZ(first);
             spread = Math.max(spread, x * x + y * y + z * z);
+            least = Math.min(least, c.separation[p]);
         }
         double fade = FADE * Math.sqrt(spread);
         double moved = fixed ? 0 : moved(rows, bodies, j, nx, ny, nz);
+        int link = j * LINK;
+        boolean guided = bodies.isGuided(rows.link[link]) || bodies.isGuided(rows.link[link + 1]);
+        double nearest = guided ? Math.max(0, least) : 0;
         double sum = 0;
         double ax = 0;
         double ay = 0;
@@ -284,7 +291,7 @@ public final class PrepareRow implements RowFiller {
         double shift = 0;
         for (int p = first; p < first + n; p++) {
             double gap = c.separation[p] + moved;
-            double w = gap <= fade || fade == 0 ? 1 : Math.max(2 - gap / fade, 1e-10);
+            double w = weight(gap - nearest, fade);
             sum += w;
             shift += w * (0.5 * (fixed ? gap : 0));
             ax += w * c.anchorAX(p);
@@ -316,6 +323,17 @@ public final class PrepareRow implements RowFiller {
         bz = bz * k + shift * nz;
         block(rows, bodies, j, o, ax, ay, az, bx, by, bz, n > 1);
         warm(rows, bodies, c, j, o, source, scale);
+    }
+
+    /**
+     * Weight of a point in the centre of its patch.
+     *
+     * @param behind how much farther from touching it is than what touches or will first, m
+     * @param fade how far behind a point begins to fade, m
+     * @return 1, towards 0 from {@code fade} to {@code 2 fade}
+     */
+    public static double weight(double behind, double fade) {
+        return behind <= fade || fade == 0 ? 1 : Math.max(2 - behind / fade, 1e-10);
     }
 
     /** How far the bodies have parted along the normal since the tick's start, m. */

@@ -19,9 +19,13 @@ import dev.cairn.physics.solver.row.RollingRows;
  * has the last word.
  *
  * <p>Both are {@code -s K^-1 w0}, s from 0 to 1 and w0 the roll without any torque, and so take
- * energy and never give it.
+ * energy and never give it. A contact of one point also resists a spin about its normal, as an
+ * evenly pressed disc of radius b does, {@code |l3| <= 2/3 mu b N}.
  */
 public final class RollingFriction {
+    /** Torque of an evenly pressed disc against a spin, over mu N and its radius. */
+    private static final double DISC = 2.0 / 3;
+
     private RollingFriction() {}
 
     /** The rolling friction of a range of rows of one colour. */
@@ -55,6 +59,14 @@ public final class RollingFriction {
                 r.put(j, RollingRows.LAMBDA + 1, share * l2);
                 double d1 = share * l1 - l1;
                 double d2 = share * l2 - l2;
+                double spin = /*(float)*/ r.get(j, RollingRows.SPIN);
+                spinBy(
+                        r,
+                        j,
+                        body,
+                        rows.link[j * LINK],
+                        rows.link[j * LINK + 1],
+                        share * spin - spin);
                 turn(r, j, RollingRows.LEVER, body, rows.link[j * LINK], -d1, -d2);
                 turn(r, j, RollingRows.LEVER + 6, body, rows.link[j * LINK + 1], d1, d2);
             }
@@ -78,8 +90,12 @@ public final class RollingFriction {
         double bound = /*(float)*/ r.bound(rows, place, at);
         double l1 = /*(float)*/ r.get(at, RollingRows.LAMBDA);
         double l2 = /*(float)*/ r.get(at, RollingRows.LAMBDA + 1);
-        if (bound == 0 && l1 == 0 && l2 == 0) {
+        double l3 = /*(float)*/ r.get(at, RollingRows.SPIN);
+        if (bound == 0 && l1 == 0 && l2 == 0 && l3 == 0) {
             return 0;
+        }
+        if (points == 1) {
+            spin(r, at, body, a, b, DISC * d[o + FRICTION * lanes] * bound);
         }
         double w1 = speed(r, at, 0, body, a, b);
         double w2 = speed(r, at, 3, body, a, b);
@@ -102,6 +118,34 @@ public final class RollingFriction {
         return d[o + FRICTION * lanes] > 0
                 ? Math.max(worst, solve(d, o, lanes, body, a, b, points))
                 : worst;
+    }
+
+    /** The impulse that stops a spin about the normal, {@code l' = l - w/K}, up to a bound. */
+    private static void spin(RollingRows r, int at, double[] body, int a, int b, double bound) {
+        double w = 0;
+        double k = 0;
+        for (int c = 0; c < 3; c++) {
+            double n = /*(float)*/ r.get(at, RollingRows.AXIS + c);
+            double m = /*(float)*/ r.get(at, RollingRows.AXIS + 3 + c);
+            w += m * body[b + 3 + c] - n * body[a + 3 + c];
+            k += n * n + m * m;
+        }
+        double old = /*(float)*/ r.get(at, RollingRows.SPIN);
+        double next = k > 0 ? Math.max(-bound, Math.min(old - w / k, bound)) : 0;
+        spinBy(r, at, body, a, b, next - old);
+    }
+
+    /** Adds to the impulse about the normal, and turns the bodies. */
+    private static void spinBy(RollingRows r, int at, double[] body, int a, int b, double change) {
+        double now = /*(float)*/ r.get(at, RollingRows.SPIN);
+        now += change;
+        r.put(at, RollingRows.SPIN, now);
+        for (int c = 0; c < 3; c++) {
+            double n = /*(float)*/ r.get(at, RollingRows.AXIS + c);
+            double m = /*(float)*/ r.get(at, RollingRows.AXIS + 3 + c);
+            body[a + 3 + c] -= a != 0 ? change * n : 0;
+            body[b + 3 + c] += b != 0 ? change * m : 0;
+        }
     }
 
     /** Friction once more, with its totals; returns its largest change. */

@@ -42,15 +42,18 @@ final class DenseRow {
     }
 
     /** The patch's centre. */
-    void centre(int n, boolean fixed, double moved, double share) {
+    void centre(int n, boolean fixed, boolean guided, double moved, double share) {
         int own = own();
         double spread = 0;
+        double least = at[GAPS];
         for (int q = own + NUMBERS; q < NUMBERS * n; q += NUMBERS) {
             double x = at[q] - at[own];
             double y = at[q + 1] - at[own + 1];
             double z = at[q + 2] - at[own + 2];
             spread = Math.max(spread, x * x + y * y + z * z);
+            least = Math.min(least, at[q - own + GAPS]);
         }
+        double nearest = guided ? Math.max(0, least) : 0;
         double fade = PrepareRow.FADE * Math.sqrt(spread);
         double sum = 0;
         double shift = 0;
@@ -62,7 +65,7 @@ final class DenseRow {
         double bz = 0;
         for (int q = 0; q < NUMBERS * n; q += NUMBERS) {
             double gap = at[q + GAPS] + moved;
-            double w = gap <= fade || fade == 0 ? 1 : Math.max(2 - gap / fade, 1e-10);
+            double w = PrepareRow.weight(gap - nearest, fade);
             sum += w;
             shift += w * (0.5 * (fixed ? gap : 0));
             ax += w * at[q];

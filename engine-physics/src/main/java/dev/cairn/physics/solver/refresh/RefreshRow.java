@@ -218,7 +218,8 @@ public final class RefreshRow {
         if (hasFriction && n == 1) {
             row.centre(fixed ? 0.5 * at[GAPS] : 0);
         } else if (hasFriction) {
-            row.centre(n, fixed, fixed ? 0 : row.moved(bodies.state, a, b), share);
+            boolean guided = bodies.isGuided(a) || bodies.isGuided(b);
+            row.centre(n, fixed, guided, fixed ? 0 : row.moved(bodies.state, a, b), share);
         }
         row.side(bodies.root, a, 0, n, hasFriction);
         row.side(bodies.root, b, 3, n, hasFriction);

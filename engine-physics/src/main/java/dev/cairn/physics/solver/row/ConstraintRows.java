@@ -180,6 +180,17 @@ public final class ConstraintRows implements EdgePlaces {
         return group;
     }
 
+    /** Impulses of a row from which the next sub-step would start; in double precision only. */
+    public void forget(int j) {
+        int o = base(j);
+        for (int p = 0; p < points(j); p++) {
+            doubles[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes] = 0;
+        }
+        for (int k = 0; k < 3; k++) {
+            doubles[o + (LAMBDA + k) * lanes] = 0;
+        }
+    }
+
     @Override
     public void bind(int place, int source, int offsetA, int offsetB, int variant) {
         int l = place * LINK;

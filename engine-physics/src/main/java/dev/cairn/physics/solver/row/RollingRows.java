@@ -31,6 +31,10 @@ import java.util.Arrays;
  * keeps its K, the other axis has hardly any rolling friction, a face none but about an edge that
  * carries all. A ball has one point and no S.
  *
+ * <p>A third impulse is about the normal, where there is one point: a patch has friction against a
+ * spin by its size, a point has none, and a ball would spin where it lies for ever, and carry round
+ * what lies on it. What rolls with an arm b stands on a disc of that radius.
+ *
  * <p>Doubles, for rows of either precision. By place; only once a material with an arm has been in
  * the world. Does not allocate but for that.
  */
@@ -65,7 +69,13 @@ public final class RollingRows {
     /** Sum of the normal impulses when the sub-step began, N s. */
     public static final int BEFORE = 38;
 
-    private static final int STRIDE = 40;
+    /** Impulse about the normal, of a row of one point, N m s. */
+    public static final int SPIN = 39;
+
+    /** Weighted normals: of A, of B. */
+    public static final int AXIS = 40;
+
+    private static final int STRIDE = 46;
 
     /** Determinant over the square of the trace of a block that is as good as singular. */
     private static final double SINGULAR = 1e-12;
@@ -126,6 +136,7 @@ public final class RollingRows {
                 for (int k = 0; k < 2; k++) {
                     data[STRIDE * j + LAMBDA + k] = scale * along(rows, j, k, c, source);
                 }
+                put(j, SPIN, rows.points(j) == 1 ? scale * about(rows, j, c, source) : 0);
                 addWarm(rows, bodies.warm, j, j, 1);
             }
         }
@@ -159,6 +170,18 @@ public final class RollingRows {
         return sum;
     }
 
+    private static double about(ConstraintRows rows, int j, ContactStore c, int source) {
+        double sum = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            sum += normal(rows, j, axis) * c.rollingImpulse[3 * source + axis];
+        }
+        return sum;
+    }
+
+    private static double normal(ConstraintRows rows, int j, int axis) {
+        return rows.get(rows.base(j) + axis * rows.lanes);
+    }
+
     private static double tangent(ConstraintRows rows, int j, int k, int axis) {
         int t = (k == 0 ? TANGENT1 : TANGENT2) + axis;
         return rows.get(rows.base(j) + t * rows.lanes);
@@ -174,8 +197,7 @@ public final class RollingRows {
     public void drop(ConstraintRows rows, double[] warm, int place, int at) {
         if (has(at)) {
             addWarm(rows, warm, place, at, -1);
-            put(at, LAMBDA, 0);
-            put(at, LAMBDA + 1, 0);
+            scale(at, 0);
         }
     }
 
@@ -183,6 +205,7 @@ public final class RollingRows {
     public void scale(int at, double share) {
         put(at, LAMBDA, share * get(at, LAMBDA));
         put(at, LAMBDA + 1, share * get(at, LAMBDA + 1));
+        put(at, SPIN, share * get(at, SPIN));
     }
 
     /** As {@link #drop}, of a row that has been turned to another normal. */
@@ -202,12 +225,14 @@ public final class RollingRows {
     public void addWarm(ConstraintRows rows, double[] warm, int place, int at, double sign) {
         double f1 = sign * get(at, LAMBDA);
         double f2 = sign * get(at, LAMBDA + 1);
+        double f3 = sign * get(at, SPIN);
         int q = STRIDE * at + LEVER;
-        for (int side = 0; side < 2; side++, q += 6) {
+        int n = STRIDE * at + AXIS;
+        for (int side = 0; side < 2; side++, q += 6, n += 3) {
             int body = rows.link[place * LINK + side];
             int w = (body >> 1) + 3;
             for (int k = 0; k < 3 && body != 0; k++) {
-                double change = f1 * data[q + k] + f2 * data[q + 3 + k];
+                double change = f1 * data[q + k] + f2 * data[q + 3 + k] + f3 * data[n + k];
                 warm[w + k] += side == 0 ? -change : change;
             }
         }
@@ -223,7 +248,8 @@ public final class RollingRows {
                     c.rollingImpulse[3 * source + axis] =
                             share
                                     * (get(j, LAMBDA) * tangent(rows, j, 0, axis)
-                                            + get(j, LAMBDA + 1) * tangent(rows, j, 1, axis));
+                                            + get(j, LAMBDA + 1) * tangent(rows, j, 1, axis)
+                                            + get(j, SPIN) * normal(rows, j, axis));
                 }
             }
         }
@@ -232,16 +258,21 @@ public final class RollingRows {
     private void levers(ConstraintRows rows, SolverBodies bodies, ContactStore c, int j) {
         int q = STRIDE * j;
         places(rows, c, j);
-        for (int n = 0; n < 4; n++) {
-            int k = (rows.link[j * LINK + n / 2] >> 4) * SolverBodies.ROOT;
-            double x = tangent(rows, j, n % 2, 0);
-            double y = tangent(rows, j, n % 2, 1);
-            double z = tangent(rows, j, n % 2, 2);
+        for (int side = 0; side < 2; side++) {
+            int k = (rows.link[j * LINK + side] >> 4) * SolverBodies.ROOT;
             for (int i = 0; i < 3; i++) {
-                data[q + LEVER + 3 * n + i] =
-                        bodies.root[k + i] * x
-                                + bodies.root[k + 3 + i] * y
-                                + bodies.root[k + 6 + i] * z;
+                double first = 0;
+                double second = 0;
+                double third = 0;
+                for (int axis = 0; axis < 3; axis++) {
+                    double root = bodies.root[k + 3 * axis + i];
+                    first += root * tangent(rows, j, 0, axis);
+                    second += root * tangent(rows, j, 1, axis);
+                    third += root * normal(rows, j, axis);
+                }
+                data[q + LEVER + 6 * side + i] = first;
+                data[q + LEVER + 6 * side + 3 + i] = second;
+                data[q + AXIS + 3 * side + i] = third;
             }
         }
         for (int n = 0; n < 3; n++) {
@@ -374,7 +405,8 @@ public final class RollingRows {
         double l2 = get(at, LAMBDA + 1);
         for (int axis = 0; axis < 3; axis++) {
             double t1 = tangent(rows, place, 0, axis);
-            torque[axis] = side * (l1 * t1 + l2 * tangent(rows, place, 1, axis));
+            double t2 = tangent(rows, place, 1, axis);
+            torque[axis] = side * (l1 * t1 + l2 * t2 + get(at, SPIN) * normal(rows, place, axis));
         }
         return Math.sqrt(l1 * l1 + l2 * l2) >= FULL * bound;
     }

@@ -210,7 +210,7 @@ final class InelasticImpact {
         start.fit(store, bodies, SolverBodies.slot(at));
         turnBack();
         lift();
-        clear();
+        rows.forget(place);
     }
 
     /** Gives the contact a share of its warm start; no more of it is left. */
@@ -224,16 +224,7 @@ final class InelasticImpact {
         for (int k = 0; k < 3; k++) {
             d[o + (TOTAL + k) * lanes] += share * d[o + (LAMBDA + k) * lanes];
         }
-        clear();
-    }
-
-    private void clear() {
-        for (int p = 0; p < points; p++) {
-            d[impact.point(p) + IMPULSE * lanes] = 0;
-        }
-        for (int k = 0; k < 3; k++) {
-            d[o + (LAMBDA + k) * lanes] = 0;
-        }
+        rows.forget(place);
     }
 
     /** Normals, and friction bounded by them, until no impulse changes. */

@@ -11,6 +11,8 @@ import dev.cairn.physics.solver.row.Scratch;
 import dev.cairn.physics.solver.row.SubStep;
 import dev.cairn.physics.tuning.Tunable;
 
+import java.util.Arrays;
+
 /**
  * The door of this package: what a sub-step does besides sweeping for a body whose only contact is
  * with a static body. The passes call it at two places and know nothing of what is behind.
@@ -43,14 +45,19 @@ public final class SingleBody {
         SolverBodies bodies = tick.body;
         int row = rows.list.place[bodies.guide[i]];
         MotionRecord.start(bodies, i);
+        int lands = MotionRecord.STRIDE * i + MotionRecord.LANDS;
+        bodies.motion[lands] = MotionRecord.NEVER;
         if (refresh.hasRenewedRow(i) && rim.begin(tick, rows, row, i, sub, refresh)) {
             return;
         }
+        bodies.motion[lands] =
+                TrapezoidalCorrection.landing(rows, row, bodies, i, sub.seconds, gain);
         if (SingleContact.turns(bodies.state, i, gain) && InelasticImpact.isAwaited(rows, row)) {
             ConstraintRows guide = window.open(rows, row);
             int place = window.place();
             if (impact.run(tick, guide, rows.rolling, place, row, i, sub.seconds, sub.lone)) {
                 window.close(rows, row);
+                bodies.motion[lands] = MotionRecord.NEVER;
             }
         }
         if (refresh.hasRenewedRow(i)) {
@@ -101,8 +108,16 @@ public final class SingleBody {
                 guide, rows.rolling, bodies.state, sub, gain, place, row, i, mixing, scratch);
         Motion.keep(tick.bodies, bodies, i);
         EnergyBound.end(tick.bodies, bodies, i, guide, rows.rolling, place, row);
-        window.close(rows, row);
         TrapezoidalCorrection.end(
                 tick.bodies, bodies, i, guide, rows.rolling, place, row, sub.seconds);
+        if (MotionRecord.hasLanded(bodies, i)) {
+            // what a blow has given is no load that goes on
+            guide.forget(place);
+            Arrays.fill(bodies.warm, (i + 1) * SolverBodies.HALF, (i + 2) * SolverBodies.HALF, 0.0);
+            if (rows.rolling.has(row)) {
+                rows.rolling.scale(row, 0);
+            }
+        }
+        window.close(rows, row);
     }
 }

@@ -61,6 +61,8 @@ final class SingleContact {
         if (!moves(body, SolverBodies.offset(i), STILL * gain)) {
             return;
         }
+        // without it normals agree soon, and how four of them share a load is not for a leap to say
+        boolean hasFriction = rows.get(rows.base(place) + ConstraintRows.FRICTION * rows.lanes) > 0;
         mixing.begin();
         for (int k = 0; k < sub.lone; k++) {
             mixing.start(rows, place, rolling, at);
@@ -74,7 +76,9 @@ final class SingleContact {
             if (!(change > AGREES * largest)) {
                 return;
             }
-            mixing.leap(rows, place, rolling, at, body);
+            if (hasFriction) {
+                mixing.leap(rows, place, rolling, at, body);
+            }
         }
     }
 

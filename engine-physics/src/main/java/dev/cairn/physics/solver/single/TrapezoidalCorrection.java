@@ -48,6 +48,12 @@ final class TrapezoidalCorrection {
      */
     private static final double MOST_TURN = 0.01;
 
+    /**
+     * Share of a sub-step after which nothing lands in it. A relax pass lets an open point come as
+     * near as it is, {@code v = -s/h}: it touches at the end, by as much as rounding says.
+     */
+    private static final double LATE = 1 - 0x1p-20;
+
     private TrapezoidalCorrection() {}
 
     /**
@@ -79,15 +85,55 @@ final class TrapezoidalCorrection {
         double nx = rows.doubles[r];
         double ny = rows.doubles[r + rows.lanes];
         double nz = rows.doubles[r + 2 * rows.lanes];
-        double mean = 0.5 * h * stopping(s, i, rows, rolling, place, at);
-        double x = mean * (d[g] + v[o + V]) - h * d[g + 3];
-        double y = mean * (d[g + 1] + v[o + V + 1]) - h * d[g + 4];
-        double z = mean * (d[g + 2] + v[o + V + 2]) - h * d[g + 5];
+        double lands = d[g + MotionRecord.LANDS];
+        boolean isBlow = MotionRecord.hasLanded(s, i);
+        double before = isBlow ? lands : 0.5;
+        double after = 1 - before;
+        double span = isBlow ? h : h * stopping(s, i, rows, rolling, place, at);
+        double x = span * (before * d[g] + after * v[o + V]) - h * d[g + 3];
+        double y = span * (before * d[g + 1] + after * v[o + V + 1]) - h * d[g + 4];
+        double z = span * (before * d[g + 2] + after * v[o + V + 2]) - h * d[g + 5];
         double n = x * nx + y * ny + z * nz;
-        n += rock(b, s, i, rows, place, h);
+        n += rock(b, s, i, rows, place, h, before);
         v[o + P] += x - n * nx;
         v[o + P + 1] += y - n * ny;
         v[o + P + 2] += z - n * nz;
+    }
+
+    /**
+     * When a point lands that bears nothing at the start of a sub-step, as the body goes then. A
+     * blow changes the velocity there and not evenly: half of each is not the motion between them.
+     *
+     * @param row place of the body's only row
+     * @param gain what gravity adds to a speed in the sub-step, m/s: what is no faster is no blow
+     * @return share of the sub-step, of the first point; {@link MotionRecord#NEVER} if none does
+     */
+    static double landing(
+            ConstraintRows rows, int row, SolverBodies s, int i, double h, double gain) {
+        int o = SolverBodies.offset(i);
+        int r = rows.base(row);
+        boolean isA = rows.link[row * ConstraintRows.LINK] == o;
+        double side = isA ? -1 : 1;
+        int arm = isA ? ConstraintRows.ARM_A : ConstraintRows.ARM_B;
+        double first = MotionRecord.NEVER;
+        for (int p = 0; p < rows.points(row); p++) {
+            int q = r + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * rows.lanes;
+            if (rows.get(q + ConstraintRows.IMPULSE * rows.lanes) > 0) {
+                continue;
+            }
+            double gap = Math.max(0, rows.get(q + ConstraintRows.SEPARATION * rows.lanes));
+            double speed = 0;
+            for (int k = 0; k < 3; k++) {
+                speed += s.state[o + V + k] * rows.get(r + k * rows.lanes);
+                speed += s.state[o + V + 3 + k] * rows.get(q + (arm + k) * rows.lanes);
+            }
+            double closing = -side * speed;
+            double share = gap / (closing * h);
+            if (closing > gain && share < LATE) {
+                first = first == MotionRecord.NEVER ? share : Math.min(first, share);
+            }
+        }
+        return first;
     }
 
     /**
@@ -95,13 +141,20 @@ final class TrapezoidalCorrection {
      * body, after free rotation. Returns by how much that lowers the points that press.
      */
     private static double rock(
-            BodyStore b, SolverBodies s, int i, ConstraintRows rows, int place, double h) {
+            BodyStore b,
+            SolverBodies s,
+            int i,
+            ConstraintRows rows,
+            int place,
+            double h,
+            double before) {
         double[] d = s.motion;
         int g = MotionRecord.STRIDE * i;
         int o = SolverBodies.offset(i);
-        double x = 0.5 * h * (s.world(i, o + V + 3, 0) - d[g + 9] - d[g + 6]);
-        double y = 0.5 * h * (s.world(i, o + V + 3, 1) - d[g + 10] - d[g + 7]);
-        double z = 0.5 * h * (s.world(i, o + V + 3, 2) - d[g + 11] - d[g + 8]);
+        double after = 1 - before;
+        double x = h * (after * (s.world(i, o + V + 3, 0) - d[g + 9]) - before * d[g + 6]);
+        double y = h * (after * (s.world(i, o + V + 3, 1) - d[g + 10]) - before * d[g + 7]);
+        double z = h * (after * (s.world(i, o + V + 3, 2) - d[g + 11]) - before * d[g + 8]);
         double turns =
                 h * h * (d[g + 9] * d[g + 9] + d[g + 10] * d[g + 10] + d[g + 11] * d[g + 11]);
         if (!(x * x + y * y + z * z > LEAST_TURN) || turns > MOST_TURN) {

@@ -232,30 +232,37 @@ final class LanePrepare implements RowFiller {
         var y0 = DoubleVector.fromArray(S, st, r + L);
         var z0 = DoubleVector.fromArray(S, st, r + 2 * L);
         var spread = DoubleVector.zero(S);
+        var count = DoubleVector.fromArray(S, st, POINTS * L);
+        var least = DoubleVector.fromArray(S, st, r + 6 * L);
         for (int i = 1; i < n; i++) {
             int p = r + i * STAGED_FIELDS * L;
             var x = DoubleVector.fromArray(S, st, p).sub(x0);
             var y = DoubleVector.fromArray(S, st, p + L).sub(y0);
             var z = DoubleVector.fromArray(S, st, p + 2 * L).sub(z0);
             spread = spread.max(x.mul(x).add(y.mul(y)).add(z.mul(z)));
+            var gap = DoubleVector.fromArray(S, st, p + 6 * L);
+            least = least.min(gap.blend(least, count.compare(VectorOperators.LE, (double) i)));
         }
+        var fixed = DoubleVector.fromArray(S, st, FIXED * L);
+        var guided = fixed.compare(VectorOperators.GT, 1.0);
+        var nearest = DoubleVector.zero(S).blend(least.max(0.0), guided);
         var fade = spread.sqrt().mul(PrepareRow.FADE);
         var none = fade.compare(VectorOperators.EQ, 0.0);
-        var count = DoubleVector.fromArray(S, st, POINTS * L);
-        var fixed = DoubleVector.fromArray(S, st, FIXED * L).compare(VectorOperators.GT, 0.0);
+        var stands = fixed.compare(VectorOperators.GT, 0.0);
         var sum = DoubleVector.zero(S);
         var shift = DoubleVector.zero(S);
         for (int i = 0; i < n; i++) {
             var gap = DoubleVector.fromArray(S, st, r + (i * STAGED_FIELDS + 6) * L);
+            var behind = gap.sub(nearest);
             var w =
                     DoubleVector.broadcast(S, 2.0)
-                            .sub(gap.div(fade))
+                            .sub(behind.div(fade))
                             .max(1e-10)
-                            .blend(1.0, gap.compare(VectorOperators.LE, fade).or(none));
+                            .blend(1.0, behind.compare(VectorOperators.LE, fade).or(none));
             w = DoubleVector.zero(S).blend(w, count.compare(VectorOperators.GT, (double) i));
             w.intoArray(st, (WEIGHT + i) * L);
             sum = sum.add(w);
-            shift = shift.add(w.mul(DoubleVector.zero(S).blend(gap, fixed).mul(0.5)));
+            shift = shift.add(w.mul(DoubleVector.zero(S).blend(gap, stands).mul(0.5)));
         }
         var k =
                 DoubleVector.broadcast(S, 1.0)

@@ -19,6 +19,8 @@ final class LaneStaging {
     static final int INVERSE_A = 3;
 
     static final int INVERSE_B = 4;
+
+    /** 1 where a body does not move, 2 where the other one is guided besides. */
     static final int FIXED = 5;
 
     static final int STIFFNESS = 6;
@@ -81,7 +83,7 @@ final class LaneStaging {
         st[2 * lanes + l] = c.normalZ(source);
         st[INVERSE_A * lanes + l] = ma;
         st[INVERSE_B * lanes + l] = mb;
-        st[FIXED * lanes + l] = fixed ? 1 : 0;
+        st[FIXED * lanes + l] = bodies.isGuided(a) || bodies.isGuided(b) ? 2 : fixed ? 1 : 0;
         st[STIFFNESS * lanes + l] = sub.stiffness(fixed);
         st[MU * lanes + l] = c.friction(source);
         st[POINTS * lanes + l] = c.pointCount[source];
