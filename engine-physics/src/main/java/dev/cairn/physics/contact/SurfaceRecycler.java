@@ -71,10 +71,12 @@ final class SurfaceRecycler {
      * @param surface the collider of triangles
      * @param shape the other one
      * @param margin up to which points are reported now, m
+     * @param face the same of faces
      * @param slack how much less of it may have been looked through, m
      * @return false when the pair must be collided
      */
-    boolean renew(int head, int surface, int shape, double margin, double slack) {
+    boolean renew(
+            int head, int surface, int shape, double margin, double face, double slack) {
         if (!c.keeps[head]) {
             return false;
         }
@@ -85,7 +87,7 @@ final class SurfaceRecycler {
             return false;
         }
         for (int row = head; row >= 0; row = groups.next(row)) {
-            if (c.pointCount[row] > 0 && !(c.keeps[row] && points(row, surface, shape) <= margin)) {
+            if (c.pointCount[row] > 0 && !(c.keeps[row] && points(row, surface, shape) <= face)) {
                 return false;
             }
         }

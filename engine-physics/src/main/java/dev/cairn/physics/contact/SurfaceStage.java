@@ -195,8 +195,9 @@ final class SurfaceStage {
         double still = STILL * bounds.speculativeFraction * colliders.innerRadius[b];
         double within = ahead[j + 3] + ahead[i + 3] + still;
         double most = within + Math.sqrt(vx * vx + vy * vy + vz * vz);
+        double face = bounds.margin(s, b, reach, colliders.innerRadius[b]);
         // half of what is looked through beyond where they may go is more than kept pairs move
-        if (own.recycler.renew(row, s, b, most, 0.5 * still)) {
+        if (own.recycler.renew(row, s, b, most, face, 0.5 * still)) {
             return false;
         }
         if (own.recycler.keep(row, s, b, most)) {
@@ -226,6 +227,7 @@ final class SurfaceStage {
                 vy,
                 vz,
                 within,
+                face,
                 out);
         return true;
     }

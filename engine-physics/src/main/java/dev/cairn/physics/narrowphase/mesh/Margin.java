@@ -12,14 +12,19 @@ final class Margin {
     /** How far the shape goes, m. */
     double driftX, driftY, driftZ;
 
+    /** What a face that is touched reports in all directions, as a half-space does, m. */
+    double ofFace;
+
     /**
      * Chooses.
      *
      * @param inAllDirections m
      * @param x how far the shape goes, m
+     * @param face what is reported of a face of which any point is, m
      */
-    void set(double inAllDirections, double x, double y, double z) {
+    void set(double inAllDirections, double x, double y, double z, double face) {
         all = inAllDirections;
+        ofFace = face;
         driftX = x;
         driftY = y;
         driftZ = z;

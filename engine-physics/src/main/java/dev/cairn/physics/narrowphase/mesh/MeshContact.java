@@ -94,6 +94,7 @@ public final class MeshContact {
      * @param vx how far it goes, seen from the surface, while points are looked for, world axes, m
      * @param within points up to this far apart are reported, and by so much farther as the shape
      *     comes nearer along their normal, m
+     * @param face the same in all directions, of a face of which any point is reported, m
      * @param out receives the contacts, after what it holds
      */
     public void collide(
@@ -114,6 +115,7 @@ public final class MeshContact {
             double vy,
             double vz,
             double within,
+            double face,
             ContactList out) {
         set = triangles;
         shape = frame.set(ax, ay, az, aw, convex, bx, by, bz, bw);
@@ -122,7 +124,7 @@ public final class MeshContact {
         qz = frame.qz;
         qw = frame.qw;
         frame.toMesh(vx, vy, vz);
-        margin.set(within, frame.x, frame.y, frame.z);
+        margin.set(within, frame.x, frame.y, frame.z, face);
         frame.toMesh(dx, dy, dz);
         cx = frame.x;
         cy = frame.y;
@@ -270,7 +272,7 @@ public final class MeshContact {
             keepOver(g, c);
         } else {
             c.count = 0;
-            c.addCorners(pair.a, height, ux, uy, uz, margin.along(nx, ny, nz));
+            c.addCorners(pair.a, height, ux, uy, uz, margin.ofFace);
             keepOver(g, c);
             if (c.count > 1) {
                 keepFlat(c, ux, uy, uz);
@@ -337,7 +339,7 @@ public final class MeshContact {
     private void keepOver(int g, Clipper c) {
         double room = UNDER * pair.inner;
         double fall = margin.closing(nx, ny, nz);
-        double most = margin.along(nx, ny, nz);
+        double most = margin.ofFace;
         int kept = 0;
         if (below.length < c.count) {
             below = new int[2 * c.count];
@@ -418,7 +420,7 @@ public final class MeshContact {
 
     /** At most four points, in world axes, midway between the surfaces. */
     private void finish(Clipper c, double share, ContactList out) {
-        cornerOrder.sort(c, nx, ny, nz, margin.along(nx, ny, nz));
+        cornerOrder.sort(c, nx, ny, nz, margin.ofFace);
         if (c.count == 0) {
             return;
         }
