@@ -75,8 +75,7 @@ final class SurfaceRecycler {
      * @param slack how much less of it may have been looked through, m
      * @return false when the pair must be collided
      */
-    boolean renew(
-            int head, int surface, int shape, double margin, double face, double slack) {
+    boolean renew(int head, int surface, int shape, double margin, double face, double slack) {
         if (!c.keeps[head]) {
             return false;
         }

@@ -302,8 +302,7 @@ public final class SweepStage {
                 return TOUCHING;
             }
         }
-        if (!(Reach.fits(colliders.shape[c.colliderA[row]])
-                && Reach.fits(colliders.shape[c.colliderB[row]]))) {
+        if (!SurfacePlane.fits(colliders, c.colliderA[row], c.colliderB[row])) {
             return TOUCHING;
         }
         double most = step * Math.max(closing(row, false), closing(row, true));
@@ -317,7 +316,11 @@ public final class SweepStage {
 
     /** Whether two bodies are struck within the tick. */
     private boolean isVeryFast(ImpactStage stage, int row) {
-        return isFast(row, ROUND_FAST) && (stage.isRound(row) || isFast(row, VERY_FAST));
+        ContactStore c = contacts;
+        return Reach.fits(colliders.shape[c.colliderA[row]])
+                && Reach.fits(colliders.shape[c.colliderB[row]])
+                && isFast(row, ROUND_FAST)
+                && (stage.isRound(row) || isFast(row, VERY_FAST));
     }
 
     /** Whether two bodies pass each other by a good part of the thinner one in a tick. */

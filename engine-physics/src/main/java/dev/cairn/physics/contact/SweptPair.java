@@ -7,6 +7,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.sweep.Flight;
 import dev.cairn.physics.sweep.FreeRotationPath;
@@ -57,6 +58,9 @@ final class SweptPair implements MovingPair {
     /** Of the smaller inner radius: points that far apart are of the meeting. */
     private static final double THERE = 0.02;
 
+    /** In place of a fixed surface of triangles. */
+    private static final HalfSpace GROUND = HalfSpace.of();
+
     /** The body that is turned, seen from far away. */
     private static final Sphere POINT = Sphere.of(0x1p-90);
 
@@ -69,6 +73,7 @@ final class SweptPair implements MovingPair {
     private final TimeOfImpact search =
             new TimeOfImpact(narrowPhase, MOST_STEPS, NEAR, MOST_IN_ALL);
     private final Manifold manifold = new Manifold();
+    private final SurfacePlane plane;
     private final Flight a = new Flight(), b = new Flight();
     private final FreeRotationPath freeA = new FreeRotationPath(), freeB = new FreeRotationPath();
     private final double[] v = new double[3];
@@ -96,6 +101,7 @@ final class SweptPair implements MovingPair {
         this.contacts = contacts;
         this.bounds = bounds;
         this.points = points;
+        plane = new SurfacePlane(colliders, contacts);
     }
 
     @Override
@@ -105,7 +111,8 @@ final class SweptPair implements MovingPair {
 
     /** Whether the colliders of a row meet within a tick. */
     boolean meet(int row, double stepSeconds) {
-        return meet(contacts.colliderA[row], contacts.colliderB[row], 0, stepSeconds);
+        setUp(row, stepSeconds);
+        return find(0) && !(met > exact && isOutOfReach());
     }
 
     /**
@@ -113,7 +120,7 @@ final class SweptPair implements MovingPair {
      * normal stays between them, or turns with one of them. False says nothing.
      */
     boolean pass(int row, double stepSeconds) {
-        setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
+        setUp(row, stepSeconds);
         return search(met)
                 .arePassing(
                         step, contacts.normalX(row), contacts.normalY(row), contacts.normalZ(row));
@@ -146,6 +153,7 @@ final class SweptPair implements MovingPair {
 
     @Override
     public boolean meet(int first, int second, double from, double stepSeconds) {
+        plane.clear();
         setUp(first, second, stepSeconds);
         if (from > 0) {
             met = exact;
@@ -166,6 +174,7 @@ final class SweptPair implements MovingPair {
         boolean meet = search(around).find(0, step, size);
         boolean isFar = !meet && !search.isUndecided;
         setUp(slotA, slotB, step);
+        stand();
         time = until;
         a.move(time);
         b.move(time);
@@ -186,6 +195,39 @@ final class SweptPair implements MovingPair {
     /** Whether both are balls, whose distance is a formula. */
     private boolean isRound() {
         return a.shape instanceof Sphere && b.shape instanceof Sphere;
+    }
+
+    /** The colliders of a row; the row's plane in place of a fixed surface of triangles. */
+    private void setUp(int row, double stepSeconds) {
+        setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
+        plane.find(row);
+        stand();
+    }
+
+    private void stand() {
+        if (plane.isFirst()) {
+            stand(a);
+            from(-plane.x, -plane.y, -plane.z, slotB);
+        } else if (plane.isSecond()) {
+            stand(b);
+            from(plane.x, plane.y, plane.z, slotA);
+        }
+    }
+
+    private void stand(Flight f) {
+        f.shape = GROUND;
+        f.turned(plane.qx, plane.qy, plane.qz, plane.qw);
+        f.begin(Double.POSITIVE_INFINITY, false);
+    }
+
+    /** The way from the first to the second is another one; the sizes are those of the solid. */
+    private void from(double x, double y, double z, int solid) {
+        fromX += x;
+        fromY += y;
+        fromZ += z;
+        size = colliders.outerRadius[solid];
+        exact = (MET + ROUNDING) * size;
+        met = exact + doubtA + doubtB;
     }
 
     private void setUp(int first, int second, double stepSeconds) {
@@ -222,6 +264,7 @@ final class SweptPair implements MovingPair {
 
     @Override
     public boolean meetAgain(int first, int second, double from, double stepSeconds) {
+        plane.clear();
         setUp(first, second, stepSeconds);
         met = exact;
         stays = false;
@@ -327,6 +370,7 @@ final class SweptPair implements MovingPair {
 
     @Override
     public void place(int first, int second, double seconds, double stepSeconds) {
+        plane.clear();
         setUp(first, second, stepSeconds);
         time = seconds;
         a.move(time);
@@ -422,6 +466,24 @@ final class SweptPair implements MovingPair {
         if (manifold.pointCount == 0) {
             return manifold;
         }
+        double dx = apartX();
+        double dy = apartY();
+        double dz = apartZ();
+        if (plane.isFirst() || plane.isSecond()) {
+            boolean isFirst = plane.isFirst();
+            double sign = isFirst ? 1 : -1;
+            dx += sign * plane.x;
+            dy += sign * plane.y;
+            dz += sign * plane.z;
+            for (int k = 0; isFirst && k < manifold.pointCount; k++) {
+                manifold.pointX[k] += plane.x;
+                manifold.pointY[k] += plane.y;
+                manifold.pointZ[k] += plane.z;
+            }
+            if (!plane.holds(manifold, dx, dy, dz, inner())) {
+                return manifold; // it goes beyond the triangles
+            }
+        }
         ContactStore c = contacts;
         c.cache[row] = 0;
         c.keeps[row] = false;
@@ -429,9 +491,6 @@ final class SweptPair implements MovingPair {
         double nx = c.normalX(row);
         double ny = c.normalY(row);
         double nz = c.normalZ(row);
-        double dx = apartX();
-        double dy = apartY();
-        double dz = apartZ();
         for (int k = 0; k < manifold.pointCount; k++) {
             int q = ContactStore.POINTS * row + k;
             double x = manifold.pointX[k];

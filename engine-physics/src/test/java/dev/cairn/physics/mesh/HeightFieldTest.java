@@ -215,6 +215,7 @@ class HeightFieldTest {
                 0,
                 0,
                 .05,
+                .05,
                 out);
         Map<String, Integer> points = new HashMap<>();
         for (int k = 0; k < out.count; k++) {

@@ -329,6 +329,7 @@ class MeshOracleTest {
                     0,
                     0,
                     .05,
+                    .05,
                     out);
             double least = Double.MAX_VALUE;
             for (int k = 0; k < out.count; k++) {

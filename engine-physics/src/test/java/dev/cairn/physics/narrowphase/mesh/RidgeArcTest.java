@@ -98,7 +98,9 @@ class RidgeArcTest {
         MeshContact contact = new MeshContact(new NarrowPhase());
         ContactList out = new ContactList();
         TriangleSet set = TriangleSet.of((Meshed) floor);
-        contact.collide(set, 0, 0, 0, 1, Sphere.of(.9), 0, 0, 0, 1, 0, 1, 0, vx, vy, 0, .01, out);
+        double face = .01 + Math.hypot(vx, vy);
+        Sphere ball = Sphere.of(.9);
+        contact.collide(set, 0, 0, 0, 1, ball, 0, 0, 0, 1, 0, 1, 0, vx, vy, 0, .01, face, out);
         return out.count;
     }
 }

@@ -1,0 +1,224 @@
+package dev.cairn.physics.contact;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.MovedTurn;
+import dev.cairn.physics.internal.Poses;
+import dev.cairn.physics.internal.Rotations;
+import dev.cairn.physics.internal.Surface;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.pair.Reach;
+import dev.cairn.physics.shape.Moved;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.mesh.TriangleSet;
+
+/**
+ * The plane of a row of a fixed surface of triangles: it stands in for the surface where a motion
+ * is swept.
+ *
+ * <p>What the row holds apart lies behind the plane, so a shape that does not meet the plane does
+ * not meet that part of the surface either. What does meet the plane meets the surface where its
+ * triangles are, see {@link #holds}.
+ *
+ * <p>One worker's. Allocates only when more triangles are found than ever.
+ */
+final class SurfacePlane {
+    /** Sides of a row: none is of triangles, the first is, the second is. */
+    private static final int NONE = 0, FIRST = 1, SECOND = 2;
+
+    /** Cosine of the angle between normals of one plane, 1e-6 rad. */
+    private static final double ONE_PLANE = 1 - 5e-13;
+
+    /** Of the smaller inner radius: how far beside its triangle, and above, a point may be. */
+    private static final double SLACK = 0x1p-20;
+
+    private final ColliderStore colliders;
+    private final ContactStore contacts;
+    private final TriangleSet.Found found = new TriangleSet.Found();
+    private final double[] box = new double[6], corner = new double[9], out = new double[3];
+    private int side;
+    private int collider;
+
+    /** A point of the plane, from the surface's origin, and its outward normal; world. */
+    double x, y, z, nx, ny, nz;
+
+    /** World from a half-space, whose plane it is. */
+    double qx, qy, qz, qw;
+
+    /** World from the triangles. */
+    private double ax, ay, az, aw;
+
+    SurfacePlane(ColliderStore colliders, ContactStore contacts) {
+        this.colliders = colliders;
+        this.contacts = contacts;
+    }
+
+    /** Whether a row can be swept: of two solids, or of a solid and a fixed surface. */
+    static boolean fits(ColliderStore colliders, int a, int b) {
+        if (Reach.fits(colliders.shape[a])) {
+            return Reach.fits(colliders.shape[b]) || isFixed(colliders, b);
+        }
+        return Reach.fits(colliders.shape[b]) && isFixed(colliders, a);
+    }
+
+    private static boolean isFixed(ColliderStore colliders, int slot) {
+        return Surface.isMeshed(colliders.shape[slot])
+                && colliders.bodies.kind[colliders.body[slot]] == BodyStore.STATIC;
+    }
+
+    boolean isFirst() {
+        return side == FIRST;
+    }
+
+    boolean isSecond() {
+        return side == SECOND;
+    }
+
+    /** There is none. */
+    void clear() {
+        side = NONE;
+    }
+
+    /** Finds that of a row, if a side of it is of triangles. */
+    void find(int row) {
+        ContactStore c = contacts;
+        int a = c.colliderA[row];
+        int b = c.colliderB[row];
+        side = isFixed(colliders, a) ? FIRST : isFixed(colliders, b) ? SECOND : NONE;
+        if (side == NONE) {
+            return;
+        }
+        collider = side == FIRST ? a : b;
+        double sign = side == FIRST ? 1 : -1;
+        nx = sign * c.normalX(row);
+        ny = sign * c.normalY(row);
+        nz = sign * c.normalZ(row);
+        int p = ContactStore.POINTS * row;
+        int at = ContactStore.anchor(p) + (side == FIRST ? 0 : 3);
+        // anchors are midway between the surfaces, from the body's centre
+        double half = 0.5 * c.separation[p];
+        Poses s = colliders.poses;
+        boolean isChild = colliders.isChild(collider);
+        int body = colliders.body[collider];
+        x = c.anchors[at] - half * nx - (isChild ? s.apartX(body, collider) : 0);
+        y = c.anchors[at + 1] - half * ny - (isChild ? s.apartY(body, collider) : 0);
+        z = c.anchors[at + 2] - half * nz - (isChild ? s.apartZ(body, collider) : 0);
+        turn();
+    }
+
+    /** The shortest turn from the y axis to the normal. */
+    private void turn() {
+        double w = 1 + ny;
+        double length = Math.sqrt(nz * nz + nx * nx + w * w);
+        boolean isDown = !(length > 1e-8);
+        qx = isDown ? 1 : nz / length;
+        qy = 0;
+        qz = isDown ? 0 : -nx / length;
+        qw = isDown ? 0 : w / length;
+    }
+
+    /**
+     * Whether all points of a manifold lie over triangles of the plane.
+     *
+     * @param m from the first collider's centre to points midway between the surfaces
+     * @param dx from the first collider's centre to the second one's
+     * @param thin inner radius of the solid, m
+     */
+    boolean holds(Manifold m, double dx, double dy, double dz, double thin) {
+        turnSurface();
+        TriangleSet set = SurfaceStage.triangles(colliders.shape[collider]);
+        for (int k = 0; set != null && k < m.pointCount; k++) {
+            double half = 0.5 * m.separation[k];
+            double px = m.pointX[k] - half * nx - (side == FIRST ? 0 : dx);
+            double py = m.pointY[k] - half * ny - (side == FIRST ? 0 : dy);
+            double pz = m.pointZ[k] - half * nz - (side == FIRST ? 0 : dz);
+            Rotations.rotate(-ax, -ay, -az, aw, px, py, pz, out);
+            if (!isOver(set, out[0], out[1], out[2], SLACK * thin)) {
+                return false;
+            }
+        }
+        return set != null;
+    }
+
+    private void turnSurface() {
+        Poses p = colliders.poses;
+        ax = p.orientationX[collider];
+        ay = p.orientationY[collider];
+        az = p.orientationZ[collider];
+        aw = p.orientationW[collider];
+        Shape shape = colliders.shape[collider];
+        if (shape instanceof Moved m) {
+            double rx = MovedTurn.x(m, ax, ay, az, aw);
+            double ry = MovedTurn.y(m, ax, ay, az, aw);
+            double rz = MovedTurn.z(m, ax, ay, az, aw);
+            aw = MovedTurn.w(m, ax, ay, az, aw);
+            ax = rx;
+            ay = ry;
+            az = rz;
+        }
+    }
+
+    /** Whether a point of the plane, in the axes of the triangles, is on one of the plane. */
+    private boolean isOver(TriangleSet set, double px, double py, double pz, double slack) {
+        for (int axis = 0; axis < 3; axis++) {
+            double at = axis == 0 ? px : axis == 1 ? py : pz;
+            box[axis] = at - slack;
+            box[axis + 3] = at + slack;
+        }
+        set.find(box, found);
+        Rotations.rotate(-ax, -ay, -az, aw, nx, ny, nz, out);
+        double ux = out[0];
+        double uy = out[1];
+        double uz = out[2];
+        for (int i = 0; i < found.count; i++) {
+            set.corners(found.triangle[i], corner);
+            for (int c = 0; c < 9; c += 3) {
+                corner[c] -= px;
+                corner[c + 1] -= py;
+                corner[c + 2] -= pz;
+            }
+            if (isOver(ux, uy, uz, slack, set.isTwoSided)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether the origin is on the triangle whose corners are there, and u its normal. */
+    private boolean isOver(double ux, double uy, double uz, double slack, boolean twoSided) {
+        double gx = corner[3] - corner[0];
+        double gy = corner[4] - corner[1];
+        double gz = corner[5] - corner[2];
+        double hx = corner[6] - corner[0];
+        double hy = corner[7] - corner[1];
+        double hz = corner[8] - corner[2];
+        double cx = gy * hz - gz * hy;
+        double cy = gz * hx - gx * hz;
+        double cz = gx * hy - gy * hx;
+        double along = cx * ux + cy * uy + cz * uz;
+        double area = Math.sqrt(cx * cx + cy * cy + cz * cz);
+        if (!((twoSided ? Math.abs(along) : along) >= ONE_PLANE * area)) {
+            return false;
+        }
+        if (Math.abs(corner[0] * ux + corner[1] * uy + corner[2] * uz) > slack) {
+            return false;
+        }
+        double way = along > 0 ? 1 : -1;
+        for (int c = 0; c < 9; c += 3) {
+            int d = (c + 3) % 9;
+            double ex = corner[d] - corner[c];
+            double ey = corner[d + 1] - corner[c + 1];
+            double ez = corner[d + 2] - corner[c + 2];
+            // (e x -c) . u is the edge's length times how far inside of it the origin is
+            double inside =
+                    (ez * corner[c + 1] - ey * corner[c + 2]) * ux
+                            + (ex * corner[c + 2] - ez * corner[c]) * uy
+                            + (ey * corner[c] - ex * corner[c + 1]) * uz;
+            if (way * inside < -slack * Math.sqrt(ex * ex + ey * ey + ez * ez)) {
+                return false;
+            }
+        }
+        return true;
+    }
+}
