@@ -5,6 +5,7 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.contact.impact.ImpactStage;
+import dev.cairn.physics.contact.impact.SurfacePlane;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;

@@ -1,6 +1,7 @@
 package dev.cairn.physics.contact;
 
 import dev.cairn.physics.contact.impact.MovingPair;
+import dev.cairn.physics.contact.impact.SurfacePlane;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
@@ -67,17 +68,14 @@ final class SweptPair implements MovingPair {
     private final ColliderStore colliders;
     private final ContactStore contacts;
     private final BoundsStage bounds;
-    private final PointStore points;
-    private final PointStore.Scratch scratch = new PointStore.Scratch();
     private final NarrowPhase narrowPhase = new NarrowPhase();
     private final TimeOfImpact search =
             new TimeOfImpact(narrowPhase, MOST_STEPS, NEAR, MOST_IN_ALL);
     private final Manifold manifold = new Manifold();
     private final SurfacePlane plane;
+    private final MeetingContact meeting;
     private final Flight a = new Flight(), b = new Flight();
     private final FreeRotationPath freeA = new FreeRotationPath(), freeB = new FreeRotationPath();
-    private final double[] v = new double[3];
-    private final double[] u = new double[3];
     private int slotA, slotB;
     private double step;
 
@@ -100,8 +98,8 @@ final class SweptPair implements MovingPair {
         this.colliders = colliders;
         this.contacts = contacts;
         this.bounds = bounds;
-        this.points = points;
         plane = new SurfacePlane(colliders, contacts);
+        meeting = new MeetingContact(contacts, points, plane);
     }
 
     @Override
@@ -197,7 +195,7 @@ final class SweptPair implements MovingPair {
         return a.shape instanceof Sphere && b.shape instanceof Sphere;
     }
 
-    /** The colliders of a row; the row's plane in place of a fixed surface of triangles. */
+    /** The colliders of a row; the row's plane in place of a surface of triangles. */
     private void setUp(int row, double stepSeconds) {
         setUp(contacts.colliderA[row], contacts.colliderB[row], stepSeconds);
         plane.find(row);
@@ -207,24 +205,25 @@ final class SweptPair implements MovingPair {
     private void stand() {
         if (plane.isFirst()) {
             stand(a);
-            from(-plane.x, -plane.y, -plane.z, slotB);
+            from(-1, slotB);
         } else if (plane.isSecond()) {
             stand(b);
-            from(plane.x, plane.y, plane.z, slotA);
+            from(1, slotA);
         }
     }
 
     private void stand(Flight f) {
         f.shape = GROUND;
         f.turned(plane.qx, plane.qy, plane.qz, plane.qw);
+        f.lever(plane.x, plane.y, plane.z);
         f.begin(Double.POSITIVE_INFINITY, false);
     }
 
-    /** The way from the first to the second is another one; the sizes are those of the solid. */
-    private void from(double x, double y, double z, int solid) {
-        fromX += x;
-        fromY += y;
-        fromZ += z;
+    /** The way from the first to the second ends elsewhere; the sizes are those of the solid. */
+    private void from(double sign, int solid) {
+        fromX += sign * plane.fromOriginX();
+        fromY += sign * plane.fromOriginY();
+        fromZ += sign * plane.fromOriginZ();
         size = colliders.outerRadius[solid];
         exact = (MET + ROUNDING) * size;
         met = exact + doubtA + doubtB;
@@ -463,46 +462,7 @@ final class SweptPair implements MovingPair {
     @Override
     public Manifold tell(int row, double reach) {
         collide(bounds.margin(slotA, slotB, reach, inner()));
-        if (manifold.pointCount == 0) {
-            return manifold;
-        }
-        double dx = apartX();
-        double dy = apartY();
-        double dz = apartZ();
-        if (plane.isFirst() || plane.isSecond()) {
-            boolean isFirst = plane.isFirst();
-            double sign = isFirst ? 1 : -1;
-            dx += sign * plane.x;
-            dy += sign * plane.y;
-            dz += sign * plane.z;
-            for (int k = 0; isFirst && k < manifold.pointCount; k++) {
-                manifold.pointX[k] += plane.x;
-                manifold.pointY[k] += plane.y;
-                manifold.pointZ[k] += plane.z;
-            }
-            if (!plane.holds(manifold, dx, dy, dz, inner())) {
-                return manifold; // it goes beyond the triangles
-            }
-        }
-        ContactStore c = contacts;
-        c.cache[row] = 0;
-        c.keeps[row] = false;
-        points.store(row, manifold, scratch);
-        double nx = c.normalX(row);
-        double ny = c.normalY(row);
-        double nz = c.normalZ(row);
-        for (int k = 0; k < manifold.pointCount; k++) {
-            int q = ContactStore.POINTS * row + k;
-            double x = manifold.pointX[k];
-            double y = manifold.pointY[k];
-            double z = manifold.pointZ[k];
-            a.back(x, y, z, v);
-            double moved = nx * a.movedX + ny * a.movedY + nz * a.movedZ;
-            b.back(x - dx, y - dy, z - dz, u);
-            moved = nx * b.movedX + ny * b.movedY + nz * b.movedZ - moved;
-            c.setAnchors(q, v[0], v[1], v[2], u[0], u[1], u[2]);
-            c.separation[q] = manifold.separation[k] - moved;
-        }
+        meeting.tell(row, manifold, a, b, apartX(), apartY(), apartZ(), inner());
         return manifold;
     }
 

@@ -9,6 +9,7 @@ import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.support.Scenes;
 import dev.cairn.physics.tuning.Tunable;
 
@@ -43,8 +44,15 @@ class SymmetryTest {
     /** What a body is on: as the world says, or one of these. */
     private static final int ANY_GROUND = -1;
 
+    private static final int PLANE = 0;
+
     private static final int SLAB = 1;
     private static final int TILES = 2;
+    private static final int TRIANGLES = 3;
+    private static final int HEIGHTS = 4;
+
+    /** Heights along an edge of the ground. */
+    private static final int CELLS = 60;
 
     /** How a world is told. */
     private record View(
@@ -141,6 +149,26 @@ class SymmetryTest {
         compare(6, worlds, driven.on(SLAB), driven.on(TILES), OTHER_POINT);
     }
 
+    /**
+     * Of the first 150 worlds of this kind 60 went another way by up to four times their speed when
+     * faces of triangles told fewer points, and what lands on them was not swept.
+     */
+    @Tag("compiled")
+    @Test
+    void flatTrianglesAreAsGoodAsAPlane() {
+        int[] worlds = ofOneShape(7, 0, WORLDS);
+        compare(7, worlds, View.PLAIN.on(PLANE), View.PLAIN.on(TRIANGLES), ROUNDING);
+        compare(7, worlds, View.PLAIN.on(PLANE), View.PLAIN.on(HEIGHTS), ROUNDING);
+    }
+
+    @Tag("compiled")
+    @Test
+    void flatTrianglesThatAreDrivenAreAsGoodAsADrivenPlane() {
+        View driven = View.PLAIN.carried(3.5, 0, -1.25);
+        int[] worlds = ofOneShape(7, 0, WORLDS);
+        compare(7, worlds, driven.on(PLANE), driven.on(TRIANGLES), ROUNDING);
+    }
+
     private static int[] all() {
         return IntStream.range(0, WORLDS).toArray();
     }
@@ -230,11 +258,22 @@ class SymmetryTest {
 
     private static void floor(
             PhysicsWorld world, int ground, double tile, Material surface, View view) {
-        if (ground == 0) {
+        if (ground == PLANE) {
             world.add(floor(view).shape(HalfSpace.of()).material(surface));
             return;
         }
         double s = view.scale;
+        if (ground == TRIANGLES || ground == HEIGHTS) {
+            HeightField flat =
+                    HeightField.of(CELLS, CELLS, s * tile, s * tile, new double[CELLS * CELLS]);
+            double corner = -s * tile * (CELLS / 2 + .3);
+            world.add(
+                    floor(view)
+                            .shape(ground == TRIANGLES ? flat.toMesh() : flat)
+                            .at(corner, 0, corner)
+                            .material(surface));
+            return;
+        }
         double half = ground == SLAB ? 8 : tile / 2;
         int n = ground == SLAB ? 0 : (int) Math.ceil(8 / tile);
         for (int i = -n; i <= n; i++) {

@@ -1,4 +1,4 @@
-package dev.cairn.physics.contact;
+package dev.cairn.physics.contact.impact;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -7,15 +7,15 @@ import dev.cairn.physics.internal.MovedTurn;
 import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.internal.Surface;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Reach;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.mesh.Meshed;
 import dev.cairn.physics.shape.mesh.TriangleSet;
 
 /**
- * The plane of a row of a fixed surface of triangles: it stands in for the surface where a motion
- * is swept.
+ * The plane of a row of a surface of triangles, fixed or kinematic: it stands in for the surface
+ * where a motion is swept, and goes along with it.
  *
  * <p>What the row holds apart lies behind the plane, so a shape that does not meet the plane does
  * not meet that part of the surface either. What does meet the plane meets the surface where its
@@ -23,7 +23,7 @@ import dev.cairn.physics.shape.mesh.TriangleSet;
  *
  * <p>One worker's. Allocates only when more triangles are found than ever.
  */
-final class SurfacePlane {
+public final class SurfacePlane {
     /** Sides of a row: none is of triangles, the first is, the second is. */
     private static final int NONE = 0, FIRST = 1, SECOND = 2;
 
@@ -40,52 +40,76 @@ final class SurfacePlane {
     private int side;
     private int collider;
 
-    /** A point of the plane, from the surface's origin, and its outward normal; world. */
-    double x, y, z, nx, ny, nz;
+    /** A point of the plane, from the centre of the surface's body, world, m. */
+    public double x, y, z;
+
+    /** Outward normal, world. */
+    private double nx, ny, nz;
+
+    /** From the body's centre to the surface's origin. */
+    private double leverX, leverY, leverZ;
 
     /** World from a half-space, whose plane it is. */
-    double qx, qy, qz, qw;
+    public double qx, qy, qz, qw;
 
     /** World from the triangles. */
     private double ax, ay, az, aw;
 
-    SurfacePlane(ColliderStore colliders, ContactStore contacts) {
+    /** Of the rows of a world. */
+    public SurfacePlane(ColliderStore colliders, ContactStore contacts) {
         this.colliders = colliders;
         this.contacts = contacts;
     }
 
-    /** Whether a row can be swept: of two solids, or of a solid and a fixed surface. */
-    static boolean fits(ColliderStore colliders, int a, int b) {
+    /** Whether a row can be swept: of two solids, or of a solid and a surface. */
+    public static boolean fits(ColliderStore colliders, int a, int b) {
         if (Reach.fits(colliders.shape[a])) {
-            return Reach.fits(colliders.shape[b]) || isFixed(colliders, b);
+            return Reach.fits(colliders.shape[b]) || isSurface(colliders, b);
         }
-        return Reach.fits(colliders.shape[b]) && isFixed(colliders, a);
+        return Reach.fits(colliders.shape[b]) && isSurface(colliders, a);
     }
 
-    private static boolean isFixed(ColliderStore colliders, int slot) {
+    private static boolean isSurface(ColliderStore colliders, int slot) {
         return Surface.isMeshed(colliders.shape[slot])
-                && colliders.bodies.kind[colliders.body[slot]] == BodyStore.STATIC;
+                && colliders.bodies.kind[colliders.body[slot]] != BodyStore.DYNAMIC;
     }
 
-    boolean isFirst() {
+    /** From the surface's origin to the point of the plane. */
+    public double fromOriginX() {
+        return x - leverX;
+    }
+
+    /** See {@link #fromOriginX}. */
+    public double fromOriginY() {
+        return y - leverY;
+    }
+
+    /** See {@link #fromOriginX}. */
+    public double fromOriginZ() {
+        return z - leverZ;
+    }
+
+    /** Whether the first collider of the row is the surface. */
+    public boolean isFirst() {
         return side == FIRST;
     }
 
-    boolean isSecond() {
+    /** Whether the second one is. */
+    public boolean isSecond() {
         return side == SECOND;
     }
 
     /** There is none. */
-    void clear() {
+    public void clear() {
         side = NONE;
     }
 
     /** Finds that of a row, if a side of it is of triangles. */
-    void find(int row) {
+    public void find(int row) {
         ContactStore c = contacts;
         int a = c.colliderA[row];
         int b = c.colliderB[row];
-        side = isFixed(colliders, a) ? FIRST : isFixed(colliders, b) ? SECOND : NONE;
+        side = isSurface(colliders, a) ? FIRST : isSurface(colliders, b) ? SECOND : NONE;
         if (side == NONE) {
             return;
         }
@@ -101,9 +125,12 @@ final class SurfacePlane {
         Poses s = colliders.poses;
         boolean isChild = colliders.isChild(collider);
         int body = colliders.body[collider];
-        x = c.anchors[at] - half * nx - (isChild ? s.apartX(body, collider) : 0);
-        y = c.anchors[at + 1] - half * ny - (isChild ? s.apartY(body, collider) : 0);
-        z = c.anchors[at + 2] - half * nz - (isChild ? s.apartZ(body, collider) : 0);
+        leverX = isChild ? s.apartX(body, collider) : 0;
+        leverY = isChild ? s.apartY(body, collider) : 0;
+        leverZ = isChild ? s.apartZ(body, collider) : 0;
+        x = c.anchors[at] - half * nx;
+        y = c.anchors[at + 1] - half * ny;
+        z = c.anchors[at + 2] - half * nz;
         turn();
     }
 
@@ -119,26 +146,22 @@ final class SurfacePlane {
     }
 
     /**
-     * Whether all points of a manifold lie over triangles of the plane.
+     * Whether a point of the plane is over triangles of it.
      *
-     * @param m from the first collider's centre to points midway between the surfaces
-     * @param dx from the first collider's centre to the second one's
+     * @param point at the tick's start, from the centre of the surface's body, world, m
      * @param thin inner radius of the solid, m
      */
-    boolean holds(Manifold m, double dx, double dy, double dz, double thin) {
-        turnSurface();
-        TriangleSet set = SurfaceStage.triangles(colliders.shape[collider]);
-        for (int k = 0; set != null && k < m.pointCount; k++) {
-            double half = 0.5 * m.separation[k];
-            double px = m.pointX[k] - half * nx - (side == FIRST ? 0 : dx);
-            double py = m.pointY[k] - half * ny - (side == FIRST ? 0 : dy);
-            double pz = m.pointZ[k] - half * nz - (side == FIRST ? 0 : dz);
-            Rotations.rotate(-ax, -ay, -az, aw, px, py, pz, out);
-            if (!isOver(set, out[0], out[1], out[2], SLACK * thin)) {
-                return false;
-            }
+    public boolean isOver(double[] point, double thin) {
+        if (!(Surface.unmoved(colliders.shape[collider]) instanceof Meshed mesh)) {
+            return false;
         }
-        return set != null;
+        TriangleSet set = TriangleSet.of(mesh);
+        turnSurface();
+        double px = point[0] - leverX;
+        double py = point[1] - leverY;
+        double pz = point[2] - leverZ;
+        Rotations.rotate(-ax, -ay, -az, aw, px, py, pz, out);
+        return isOver(set, out[0], out[1], out[2], SLACK * thin);
     }
 
     private void turnSurface() {
