@@ -423,7 +423,7 @@ public final class SweepStage {
     }
 
     private void sweep(int i, int row, boolean isVeryFast, SweptPair pair) {
-        if (pair.pass(row, step)) {
+        if (pair.pass(row, step) || pair.passCorner(row)) {
             setMisses(i, row);
             return;
         }

@@ -124,6 +124,24 @@ final class SweptPair implements MovingPair {
                         step, contacts.normalX(row), contacts.normalY(row), contacts.normalZ(row));
     }
 
+    /** After {@link #pass} said no: whether the colliders of a row pass each other at a corner. */
+    boolean passCorner(int row) {
+        boolean isFirst = plane.isFirst();
+        if (!isFirst && !plane.isSecond()) {
+            return false;
+        }
+        boolean passes =
+                plane.isPassed(
+                        row,
+                        isFirst ? b : a,
+                        colliders.outerRadius[isFirst ? slotB : slotA],
+                        step,
+                        met,
+                        search);
+        search(met); // other questions about the two follow
+        return passes;
+    }
+
     /** Whether those looked at last go less far than they are thick; see {@link #collideThere}. */
     boolean isShort() {
         return search.fastest() * step <= inner();

@@ -8,8 +8,10 @@ import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.physics.support.Scenes;
 
 import org.joml.Quaterniond;
@@ -24,28 +26,40 @@ import java.util.SplittableRandom;
  * 1e4 m/s, moves as if nothing were there: its velocity to the bit, its spin to rounding.
  */
 class NearMissTest {
+    private static final double[] FLAT = new double[25];
+
+    /** The side of a block of triangles goes on by so much above its edge. */
+    private static final double LEAST = 3e-6;
+
     @Test
     void whatPassesIsNotDeflected() {
-        search(1, 150);
+        search(1, 150, false);
+    }
+
+    /** A box of twelve triangles, or a height field: edges deflected a third of what passed. */
+    @Test
+    void whatPassesTrianglesIsNotDeflected() {
+        search(1, 150, true);
     }
 
     @Test
     @Tag("soak")
     void whatPassesIsNotDeflectedForLong() {
-        search(1_000_000, 10_000);
+        search(1_000_000, 10_000, false);
+        search(1_000_000, 10_000, true);
     }
 
-    private static void search(long first, int runs) {
+    private static void search(long first, int runs, boolean triangles) {
         StringBuilder who = new StringBuilder();
         for (long seed = first; seed < first + runs; seed++) {
-            if (isDeflected(seed)) {
+            if (isDeflected(seed, triangles)) {
                 who.append(' ').append(seed);
             }
         }
         assertEquals("", who.toString(), "deflected, by seed");
     }
 
-    private static boolean isDeflected(long seed) {
+    private static boolean isDeflected(long seed, boolean triangles) {
         SplittableRandom random = new SplittableRandom(seed * 0x9E3779B97F4A7C15L);
         double half = 0.5 * StrictMath.pow(10, -2 + 2 * random.nextDouble());
         Shape shape = shape(random, half);
@@ -53,6 +67,7 @@ class NearMissTest {
         double speed = StrictMath.pow(10, -0.3 + 4.3 * random.nextDouble());
         double spin = random.nextBoolean() ? 0 : StrictMath.pow(10, 2 * random.nextDouble());
         double clearance = half * StrictMath.pow(10, -9 + 8 * random.nextDouble());
+        clearance = triangles ? Math.max(clearance, LEAST * half) : clearance;
         // who turns is met by none outside of the ball around it
         double height = clearance + (spin > 0 ? shape.outerRadius() : below(shape, turn));
         Body plan =
@@ -71,7 +86,8 @@ class NearMissTest {
                     case 1 -> Cylinder.of(0.4, 0.5);
                     default -> Sphere.of(0.5);
                 };
-        boolean isTiled = random.nextInt(4) == 0;
+        boolean isTiled = random.nextInt(4) == 0 && !triangles;
+        Shape surface = random.nextBoolean() ? block() : HeightField.of(5, 5, .25, .25, FLAT);
         Vector3d[] moved = new Vector3d[4];
         for (int with = 0; with < 2; with++) {
             try (PhysicsWorld world = Scenes.awake().workers(1).gravity(0, 0, 0).build()) {
@@ -81,7 +97,9 @@ class NearMissTest {
                                     ? Body.fixed()
                                             .shape(Box.ofHalfExtents(0.125, 0.1, 0.5))
                                             .at(0.25 * i - 0.375, -0.1, 0)
-                                    : Body.fixed().shape(below).at(0, -0.5, 0));
+                                    : triangles
+                                            ? Body.fixed().shape(surface).at(-.5, 0, -.5)
+                                            : Body.fixed().shape(below).at(0, -0.5, 0));
                 }
                 BodyRef body = world.add(plan);
                 for (int tick = 0; tick < Math.min(40 + 120 / speed, 250); tick++) {
@@ -93,6 +111,21 @@ class NearMissTest {
         }
         double turned = moved[1].distance(moved[3]);
         return moved[0].distance(moved[2]) != 0 || turned > 1e-9 * (1 + moved[1].length());
+    }
+
+    /** A box from the origin to (1, 1), 1 m deep. */
+    private static Shape block() {
+        double[] corners = new double[24];
+        for (int i = 0; i < 8; i++) {
+            corners[3 * i] = i & 1;
+            corners[3 * i + 1] = (i >> 1 & 1) - 1;
+            corners[3 * i + 2] = i >> 2;
+        }
+        int[] sides = {
+            0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4,
+            6, 1, 3, 5, 3, 7, 5
+        };
+        return TriangleMesh.of(corners, sides);
     }
 
     private static Shape shape(SplittableRandom random, double half) {

@@ -12,6 +12,8 @@ import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.mesh.Meshed;
 import dev.cairn.physics.shape.mesh.TriangleSet;
+import dev.cairn.physics.sweep.Flight;
+import dev.cairn.physics.sweep.TimeOfImpact;
 
 /**
  * The plane of a row of a surface of triangles, fixed or kinematic: it stands in for the surface
@@ -19,7 +21,7 @@ import dev.cairn.physics.shape.mesh.TriangleSet;
  *
  * <p>What the row holds apart lies behind the plane, so a shape that does not meet the plane does
  * not meet that part of the surface either. What does meet the plane meets the surface where its
- * triangles are, see {@link #holds}.
+ * triangles are, see {@link #isOver}.
  *
  * <p>One worker's. Allocates only when more triangles are found than ever.
  */
@@ -37,6 +39,8 @@ public final class SurfacePlane {
     private final ContactStore contacts;
     private final TriangleSet.Found found = new TriangleSet.Found();
     private final double[] box = new double[6], corner = new double[9], out = new double[3];
+    private final double[] point = new double[3];
+    private final TrianglePass pass = new TrianglePass();
     private int side;
     private int collider;
 
@@ -134,6 +138,63 @@ public final class SurfacePlane {
         turn();
     }
 
+    /**
+     * Whether the solid of the row passes the surface, though it meets the plane: the row is of an
+     * edge or a corner, or left behind before, and no triangle is met. False says nothing.
+     *
+     * @param row the one that was found
+     * @param solid on its way
+     * @param outer its radius, m
+     * @param met nearer than that counts as met, m
+     */
+    public boolean isPassed(
+            int row, Flight solid, double outer, double step, double met, TimeOfImpact search) {
+        int body = colliders.body[collider];
+        if (colliders.bodies.isMoved(body)
+                || !(Surface.unmoved(colliders.shape[collider]) instanceof Meshed mesh)
+                || (isFace(row, outer, 0, 0, 0) && staysOver(row, solid, outer, step))) {
+            return false;
+        }
+        Poses s = colliders.poses;
+        int other = side == FIRST ? contacts.colliderB[row] : contacts.colliderA[row];
+        turnSurface();
+        return pass.turned(ax, ay, az, aw)
+                .passes(
+                        TriangleSet.of(mesh),
+                        solid,
+                        s.apartX(collider, other),
+                        s.apartY(collider, other),
+                        s.apartZ(collider, other),
+                        outer,
+                        step,
+                        met,
+                        search);
+    }
+
+    /** Whether its points are over triangles of the plane at the tick's end, too. */
+    private boolean staysOver(int row, Flight solid, double outer, double step) {
+        solid.move(step);
+        double down = nx * solid.x + ny * solid.y + nz * solid.z;
+        return isFace(row, outer, solid.x - down * nx, solid.y - down * ny, solid.z - down * nz);
+    }
+
+    /** Whether the points of a row, moved, lie over triangles of its plane, not at their edges. */
+    private boolean isFace(int row, double outer, double dx, double dy, double dz) {
+        ContactStore c = contacts;
+        for (int k = 0; k < c.pointCount[row]; k++) {
+            int p = ContactStore.POINTS * row + k;
+            int at = ContactStore.anchor(p) + (side == FIRST ? 0 : 3);
+            double half = 0.5 * c.separation[p];
+            point[0] = c.anchors[at] - half * nx + dx;
+            point[1] = c.anchors[at + 1] - half * ny + dy;
+            point[2] = c.anchors[at + 2] - half * nz + dz;
+            if (!isOver(point, -SLACK * outer, SLACK * outer)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** The shortest turn from the y axis to the normal. */
     private void turn() {
         double w = 1 + ny;
@@ -152,6 +213,16 @@ public final class SurfacePlane {
      * @param thin inner radius of the solid, m
      */
     public boolean isOver(double[] point, double thin) {
+        return isOver(point, SLACK * thin, SLACK * thin);
+    }
+
+    /**
+     * The same.
+     *
+     * @param beside how far beside its triangle it may be, m; negative where it must be inside
+     * @param above how far above, m
+     */
+    private boolean isOver(double[] point, double beside, double above) {
         if (!(Surface.unmoved(colliders.shape[collider]) instanceof Meshed mesh)) {
             return false;
         }
@@ -161,7 +232,7 @@ public final class SurfacePlane {
         double py = point[1] - leverY;
         double pz = point[2] - leverZ;
         Rotations.rotate(-ax, -ay, -az, aw, px, py, pz, out);
-        return isOver(set, out[0], out[1], out[2], SLACK * thin);
+        return isOver(set, out[0], out[1], out[2], beside, above);
     }
 
     private void turnSurface() {
@@ -183,11 +254,12 @@ public final class SurfacePlane {
     }
 
     /** Whether a point of the plane, in the axes of the triangles, is on one of the plane. */
-    private boolean isOver(TriangleSet set, double px, double py, double pz, double slack) {
+    private boolean isOver(
+            TriangleSet set, double px, double py, double pz, double beside, double above) {
         for (int axis = 0; axis < 3; axis++) {
             double at = axis == 0 ? px : axis == 1 ? py : pz;
-            box[axis] = at - slack;
-            box[axis + 3] = at + slack;
+            box[axis] = at - above;
+            box[axis + 3] = at + above;
         }
         set.find(box, found);
         Rotations.rotate(-ax, -ay, -az, aw, nx, ny, nz, out);
@@ -201,7 +273,7 @@ public final class SurfacePlane {
                 corner[c + 1] -= py;
                 corner[c + 2] -= pz;
             }
-            if (isOver(ux, uy, uz, slack, set.isTwoSided)) {
+            if (isOver(ux, uy, uz, beside, above, set.isTwoSided)) {
                 return true;
             }
         }
@@ -209,7 +281,8 @@ public final class SurfacePlane {
     }
 
     /** Whether the origin is on the triangle whose corners are there, and u its normal. */
-    private boolean isOver(double ux, double uy, double uz, double slack, boolean twoSided) {
+    private boolean isOver(
+            double ux, double uy, double uz, double beside, double above, boolean twoSided) {
         double gx = corner[3] - corner[0];
         double gy = corner[4] - corner[1];
         double gz = corner[5] - corner[2];
@@ -224,7 +297,7 @@ public final class SurfacePlane {
         if (!((twoSided ? Math.abs(along) : along) >= ONE_PLANE * area)) {
             return false;
         }
-        if (Math.abs(corner[0] * ux + corner[1] * uy + corner[2] * uz) > slack) {
+        if (Math.abs(corner[0] * ux + corner[1] * uy + corner[2] * uz) > above) {
             return false;
         }
         double way = along > 0 ? 1 : -1;
@@ -238,7 +311,7 @@ public final class SurfacePlane {
                     (ez * corner[c + 1] - ey * corner[c + 2]) * ux
                             + (ex * corner[c + 2] - ez * corner[c]) * uy
                             + (ey * corner[c] - ex * corner[c + 1]) * uz;
-            if (way * inside < -slack * Math.sqrt(ex * ex + ey * ey + ez * ez)) {
+            if (way * inside < -beside * Math.sqrt(ex * ex + ey * ey + ez * ez)) {
                 return false;
             }
         }
