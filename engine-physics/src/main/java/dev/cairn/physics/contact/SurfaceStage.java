@@ -196,6 +196,13 @@ final class SurfaceStage {
         double within = ahead[j + 3] + ahead[i + 3] + still;
         double most = within + Math.sqrt(vx * vx + vy * vy + vz * vz);
         double face = bounds.margin(s, b, reach, colliders.innerRadius[b]);
+        if (colliders.isChild(b)) {
+            // what another part of its body strikes may bring it down
+            within = face;
+            vx = 0;
+            vy = 0;
+            vz = 0;
+        }
         // half of what is looked through beyond where they may go is more than kept pairs move
         if (own.recycler.renew(row, s, b, most, face, 0.5 * still)) {
             return false;

@@ -161,6 +161,17 @@ class SymmetryTest {
         compare(7, worlds, View.PLAIN.on(PLANE), View.PLAIN.on(HEIGHTS), ROUNDING);
     }
 
+    /** Bodies of several shapes, of which two of five went another way. */
+    @Tag("compiled")
+    @Test
+    void flatTrianglesAreAsGoodForBodiesOfSeveralShapes() {
+        int[] worlds =
+                IntStream.range(0, WORLDS)
+                        .filter(k -> !new RandomStart(world(7, k)).isOneShape())
+                        .toArray();
+        compare(7, worlds, View.PLAIN.on(PLANE), View.PLAIN.on(TRIANGLES), ROUNDING);
+    }
+
     @Tag("compiled")
     @Test
     void flatTrianglesThatAreDrivenAreAsGoodAsADrivenPlane() {
