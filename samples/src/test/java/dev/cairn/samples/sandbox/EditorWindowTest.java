@@ -32,15 +32,20 @@ class EditorWindowTest extends WindowFixture {
         return seen.number("tick") >= 1;
     }
 
-    @Test
-    void aBoxIsPlacedDraggedRaisedSavedLoadedAndFalls() throws IOException, InterruptedException {
-        type("key", "F2");
+    /** Until the floor is built: the camera is the sandbox's until then. */
+    private void awaitEditor() throws IOException, InterruptedException {
         await(
                 "the editor with a floor at rest",
                 seen ->
                         seen.is("mode", "REST")
                                 && seen.number("entities") == 1
                                 && seen.number("seenY") == -0.5);
+    }
+
+    @Test
+    void aBoxIsPlacedDraggedRaisedSavedLoadedAndFalls() throws IOException, InterruptedException {
+        type("key", "F2");
+        awaitEditor();
         click("box");
         Seen placed =
                 await(
@@ -113,7 +118,7 @@ class EditorWindowTest extends WindowFixture {
     @Test
     void nothingIsLostByAStrayClickOrByClosingTheWindow() throws IOException, InterruptedException {
         type("key", "F2");
-        await("the editor", seen -> seen.is("mode", "REST") && seen.number("entities") == 1);
+        awaitEditor();
         moveTo(700, 500);
         dragTo(600, 560);
         settle();
@@ -218,7 +223,7 @@ class EditorWindowTest extends WindowFixture {
     @Test
     void aBoxIsHungOnTheWorldAndSwings() throws IOException, InterruptedException {
         type("key", "F2");
-        await("the editor", seen -> seen.is("mode", "REST") && seen.number("entities") == 1);
+        awaitEditor();
         click("box");
         await("a box", seen -> seen.number("entities") == 2 && seen.number("bodyY") == 0.5);
         moveTo(512, 320); // the wheel over a panel is the panel's
@@ -276,7 +281,7 @@ class EditorWindowTest extends WindowFixture {
     @Test
     void aSteadyEditorMakesNoGarbage() throws IOException, InterruptedException {
         type("key", "F2");
-        await("the editor", seen -> seen.is("mode", "REST") && seen.number("entities") == 1);
+        awaitEditor();
         awaitNoGarbage("nothing is selected");
         int entities = 1;
         for (String shape : new String[] {"box", "capsule", "hull", "half-space"}) {
