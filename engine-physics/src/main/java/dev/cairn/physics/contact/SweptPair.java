@@ -1,6 +1,7 @@
 package dev.cairn.physics.contact;
 
 import dev.cairn.physics.contact.impact.MovingPair;
+import dev.cairn.physics.contact.impact.PartingSearch;
 import dev.cairn.physics.contact.impact.SurfacePlane;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -42,20 +43,6 @@ final class SweptPair implements MovingPair {
     /** Of the inner radius. */
     private static final double MOST_DOUBT = 0.25;
 
-    /** Of the smaller inner radius: the first look after an impact is that far on. */
-    private static final double SHORT = 0x1p-12;
-
-    /** The same: no two looks are farther apart, by the fastest way of any of their points. */
-    private static final double LONG = 0.25;
-
-    /** Of a time between two looks. */
-    private static final int MOST_HALVINGS = 40;
-
-    /**
-     * Of the smaller inner radius: a pair that overlaps so deep after an impact is struck again.
-     */
-    private static final double SUNK = 0x1p-8;
-
     /** Of the smaller inner radius: points that far apart are of the meeting. */
     private static final double THERE = 0.02;
 
@@ -73,6 +60,7 @@ final class SweptPair implements MovingPair {
             new TimeOfImpact(narrowPhase, MOST_STEPS, NEAR, MOST_IN_ALL);
     private final Manifold manifold = new Manifold();
     private final SurfacePlane plane;
+    private final PartingSearch parting = new PartingSearch(MOST_IN_ALL);
     private final MeetingContact meeting;
     private final Flight a = new Flight(), b = new Flight();
     private final FreeRotationPath freeA = new FreeRotationPath(), freeB = new FreeRotationPath();
@@ -297,72 +285,19 @@ final class SweptPair implements MovingPair {
     /**
      * From a meeting on: they part, and may meet again; or sink into each other, which is the next
      * meeting; or neither, until the tick ends.
-     *
-     * <p>Looks are apart by 2^-k of a tick, and never so far that the one could pass the other's
-     * middle between two. The gaps themselves have no mirrored bits, and so nothing but comparisons
-     * may be made of them.
      */
     private boolean part() {
-        double inner = inner();
-        double fastest = search.fastest();
-        double least = power(SHORT * inner / fastest);
-        double most = Math.max(least, power(LONG * inner / fastest));
-        double span = least;
-        double before = search.gap(time);
-        double deep = Math.min(before, 0) - SUNK * inner;
-        double t = time;
-        for (int i = 0; i < MOST_IN_ALL && t < step; i++) {
-            double next = Math.min(Math.max(t + span, Math.nextUp(t)), step);
-            double gap = search.gap(next);
-            if (gap > 3 * met) {
-                return next < step && find(next);
-            }
-            if (gap < deep) {
-                time = sinking(t, next, gap, deep, inner);
-                a.move(time);
-                b.move(time);
-                return true;
-            }
-            // twice as far, but not so far that it would sink much deeper meanwhile
-            double sunk = before - gap;
-            span = Math.min(2 * span, most);
-            for (double way = 2 * sunk; way > SUNK * inner && span > least; way *= 0.5) {
-                span *= 0.5;
-            }
-            before = gap;
-            t = next;
+        PartingSearch.End end = parting.run(search, time, step, met, inner());
+        if (end == PartingSearch.End.PARTS) {
+            return parting.time < step && find(parting.time);
         }
-        stays = true;
-        return false;
-    }
-
-    /**
-     * When two that sink have sunk too deep, and not much deeper: between two looks, by halving.
-     */
-    private double sinking(double above, double below, double gap, double deep, double inner) {
-        double low = above;
-        double high = below;
-        double there = gap;
-        for (int i = 0; i < MOST_HALVINGS && there < deep - SUNK * inner; i++) {
-            double mid = low + 0.5 * (high - low);
-            double here = search.gap(mid);
-            if (here < deep) {
-                high = mid;
-                there = here;
-            } else {
-                low = mid;
-            }
+        stays = end == PartingSearch.End.STAYS;
+        if (!stays) {
+            time = parting.time;
+            a.move(time);
+            b.move(time);
         }
-        return high;
-    }
-
-    /** The largest power of two, times the tick, that is no longer than a time. */
-    private double power(double seconds) {
-        double span = step;
-        while (span > seconds) {
-            span *= 0.5;
-        }
-        return span;
+        return !stays;
     }
 
     @Override
