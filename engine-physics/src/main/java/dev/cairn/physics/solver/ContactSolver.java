@@ -209,6 +209,7 @@ public final class ContactSolver {
                         tick.settings.count(Tunable.FLOATS_FROM),
                         jobs);
         tick.order = batches.order;
+        tick.hasLight = collector.hasLight();
         supports.find(tick, stacked, softnessStep.seconds(), locals, jobs);
         for (int k = Batches.FLOATS; k <= Batches.DOUBLES; k++) {
             if (list.count > 0 && batches.hasBodies(k)) {
@@ -280,6 +281,9 @@ public final class ContactSolver {
             p.paceSides(sub, k, b);
             if (balls || (bounces && p.isFast(head, tail))) {
                 p.impacts(sub, b, head, tail, from, to, own);
+            }
+            if (k == 0) {
+                p.warmStarts.limit(head, tail, from, to, own.renew);
             }
             p.kick(sub, k, head, tail, own);
             if (supports.settles && k == 0) {

@@ -55,15 +55,16 @@ final class Lockstep {
     private boolean renews;
     private boolean settles;
     private boolean rides;
+
+    /** Whether light bodies touch heavy ones. */
+    private boolean squeezes;
+
     private int domains;
 
-    /**
-     * Whether a contact has restitution, one of two balls, and whether one may meet in the sub-step
-     * that comes.
-     */
+    /** Whether a contact has restitution, one of two balls, and one may meet in this sub-step. */
     private boolean bounces, balls, meets;
 
-    /** Bodies that joints hold together: with any, no passes run as one. */
+    /** With bodies that joints hold together no passes run as one. */
     private final LockstepJoints joints;
 
     /** Whether the sub-step that comes begins with work on all rows. */
@@ -135,6 +136,7 @@ final class Lockstep {
         renews = false;
         colours(prepare, jobs);
         jobs.run(findRenewed, Blocks.count(endPlace(-1) - firstPlace(-1), ROWS_PER_BLOCK));
+        squeezes = passes.warmStarts.isNeeded(firstPlace(-1), endPlace(domains - 1));
         substep = 0;
         passes.paceSides(pace, substep, base);
         bounces = passes.bouncing.to(base) > passes.bouncing.from(base);
@@ -194,7 +196,7 @@ final class Lockstep {
     /** Finds whether the next sub-step begins with work on all rows. */
     private void look() {
         meets = balls || (bounces && passes.isFast(firstBody(), endBody()));
-        apart = meets || joints.any() || rides || (settles && substep == 0);
+        apart = meets || joints.any() || rides || (substep == 0 && (settles || squeezes));
     }
 
     private int firstBody() {
@@ -208,16 +210,20 @@ final class Lockstep {
     private void begin(int bodyBlocks, Jobs jobs) {
         Passes p = passes;
         joints.meet(substep, jobs);
+        int first = firstPlace(-1);
+        int end = endPlace(domains - 1);
         if (meets) {
-            int end = endPlace(domains - 1);
-            p.impacts(pace, base, firstBody(), endBody(), firstPlace(-1), end, locals[0]);
+            p.impacts(pace, base, firstBody(), endBody(), first, end, locals[0]);
+        }
+        if (substep == 0) {
+            p.warmStarts.limit(firstBody(), endBody(), first, end, locals[0].renew);
         }
         jobs.run(kick, bodyBlocks);
         if (settles && substep == 0) {
-            p.settle(pace, firstPlace(-1), endPlace(domains - 1), locals[0]);
+            p.settle(pace, first, end, locals[0]);
         }
         if (rides) {
-            p.ride(pace, substep, firstPlace(-1), endPlace(domains - 1), locals[0]);
+            p.ride(pace, substep, first, end, locals[0]);
         }
         joints.begin(substep, jobs);
         jobs.run(biasWithin, domains);

@@ -26,6 +26,7 @@ import dev.cairn.physics.solver.load.ThinRows;
 import dev.cairn.physics.solver.load.Unloading;
 import dev.cairn.physics.solver.refresh.CoreGuard;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
+import dev.cairn.physics.solver.refresh.WarmStartLimit;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.KindRows;
 import dev.cairn.physics.solver.row.RowPrefetch;
@@ -48,6 +49,7 @@ final class Passes {
     private final SolverBodies body;
     private final JacobianRefresh refresh = new JacobianRefresh();
     private final CoreGuard cores = new CoreGuard();
+    final WarmStartLimit warmStarts;
 
     /** What is done row by row. */
     private final ScalarPasses one;
@@ -79,6 +81,7 @@ final class Passes {
             Assemblies assemblies) {
         this.assemblies = assemblies;
         jointed = assemblies::binds;
+        warmStarts = new WarmStartLimit(tick, rows, jointed);
         this.bouncing = bouncing;
         this.sides = sides;
         this.tick = tick;
@@ -94,6 +97,7 @@ final class Passes {
 
     void ensureCapacity(int slots) {
         refresh.ensureCapacity(slots);
+        warmStarts.ensureCapacity(slots);
         refresh.ensurePlaces(rows, tick.bodies.curved);
         cores.ensurePlaces(rows.settleMark.length);
         for (int k = 0; k < sides.count(); k++) {
@@ -164,11 +168,7 @@ final class Passes {
                 && findRenewed(from, to);
     }
 
-    /**
-     * Gravity, forces and warm start.
-     *
-     * @param index of the sub-step
-     */
+    /** Gravity, forces and warm start of sub-step {@code index}. */
     void kick(SubStep sub, int index, int from, int to, WorkerScratch local) {
         double[] g = tick.gravity;
         double gain = tick.weight() * sub.seconds;

@@ -46,6 +46,9 @@ public final class SolverBodies {
     /** Turn in a sub-step, rad, after which no root of before it tells the energy. */
     public static final double FAR_TURN = 0.3;
 
+    /** How many times its mass another body has that may squeeze a light one. */
+    private static final double HEAVY = 4;
+
     /** Doubles to a body of {@link #root}. */
     public static final int ROOT = 12;
 
@@ -140,6 +143,11 @@ public final class SolverBodies {
 
     public static int offset(int slot) {
         return (slot + 1) * STRIDE;
+    }
+
+    /** Whether a body is so light beside another that what squeezes it may throw it. */
+    public static boolean isLight(BodyStore b, int slot, int beside) {
+        return b.inverseMass[slot] > HEAVY * b.inverseMass[beside];
     }
 
     /** Whether the one contact of a dynamic body is with a static one. */

@@ -34,6 +34,9 @@ public final class SolverContext {
     /** Whether bodies have the inertia of their load. */
     public boolean loaded;
 
+    /** Whether a contact is of a light body and a heavy one, see {@link SolverBodies#isLight}. */
+    public boolean hasLight;
+
     public SolverContext(Tuning settings) {
         this.settings = settings;
     }

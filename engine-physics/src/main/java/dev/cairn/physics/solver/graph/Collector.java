@@ -163,6 +163,11 @@ public final class Collector implements Stateful {
         renewed |= s.isRestoring();
     }
 
+    /** Whether a body touches one that is much heavier, see {@link SolverBodies#isLight}. */
+    public boolean hasLight() {
+        return facts.hasLight;
+    }
+
     /** Whether the edges and their bodies are those of the tick before. */
     public boolean isSame() {
         return sameBodies;
@@ -187,6 +192,7 @@ public final class Collector implements Stateful {
             at = Arrays.copyOf(at, n);
         }
         facts.ensureCapacity(n);
+        facts.hasLight = false;
         facts.hasParts = contacts.compounds || contacts.grouped;
         if (firstListed.length < list.first.length) {
             firstListed = new int[list.first.length];

@@ -3,6 +3,7 @@ package dev.cairn.physics.solver.graph;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
+import dev.cairn.physics.solver.body.SolverBodies;
 
 import java.util.Arrays;
 
@@ -35,6 +36,9 @@ final class EdgeFacts {
     /** Of edges between the same two bodies: by which parts, and which triangle, they are told. */
     long[] part = {};
 
+    /** Whether a body that moves touches one that is much heavier; cleared by who reads it. */
+    boolean hasLight;
+
     /** Whether any body is of parts, or has a surface of triangles: else no two are of one pair. */
     boolean hasParts;
 
@@ -57,6 +61,12 @@ final class EdgeFacts {
         }
         int row = contacts.active[i];
         int points = contacts.pointCount[row];
+        int a = bodyA[i];
+        int b = bodyB[i];
+        if (bodies.kind[a] == bodies.kind[b]
+                && (SolverBodies.isLight(bodies, a, b) || SolverBodies.isLight(bodies, b, a))) {
+            hasLight = true; // by whoever finds one
+        }
         double sum = 0;
         int first = ContactStore.POINTS * row;
         for (int p = first; p < first + points; p++) {

@@ -317,6 +317,31 @@ public final class RefreshRow {
         }
     }
 
+    /** Scales the impulses of the row at place {@code j}, and what they do to its bodies. */
+    void scale(ConstraintRows rows, double[] warm, int j, double share) {
+        boolean rolls = rows.rolling.has(j);
+        if (rolls) {
+            rows.rolling.addWarm(rows, warm, j, j, -1);
+            rows.rolling.scale(j, share);
+            rows.rolling.addWarm(rows, warm, j, j, 1);
+        }
+        takeOut(rows, warm, j, true, true);
+        int o = rows.base(j);
+        int n = rows.points(j);
+        boolean hasFriction = rows.get(o + FRICTION * rows.lanes) > 0;
+        for (int i = 0; i < n; i++) {
+            int q = POINT + i * POINT_FIELDS + IMPULSE;
+            r[q] *= share;
+            write(rows, o, q, 1);
+        }
+        for (int i = 0; i < 3 && hasFriction; i++) {
+            r[LAMBDA + i] *= share;
+            write(rows, o, LAMBDA + i, 1);
+        }
+        row.warm(warm, rows.link[j * LINK], -1, 0, n, hasFriction);
+        row.warm(warm, rows.link[j * LINK + 1], 1, 3, n, hasFriction);
+    }
+
     private void copy(ConstraintRows rows, int o, int field, int count) {
         int lanes = rows.lanes;
         if (rows.isSingle) {
