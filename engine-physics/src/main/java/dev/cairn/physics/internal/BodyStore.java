@@ -130,7 +130,7 @@ public final class BodyStore extends Poses implements Stateful {
      */
     public double[] inertiaScale = {};
 
-    /** Ticks that the body has been at rest. */
+    /** Ticks that the body has been at rest in a pile; below 0 if it is in none. */
     public int[] restTicks = {};
 
     /**

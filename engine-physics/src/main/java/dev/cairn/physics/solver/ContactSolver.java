@@ -16,6 +16,7 @@ import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.kernel.RowSweeps;
 import dev.cairn.physics.solver.kernel.StoreRow;
 import dev.cairn.physics.solver.kernel.Sweeps;
+import dev.cairn.physics.solver.load.LoadSweep;
 import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.EdgeList;
@@ -235,8 +236,8 @@ public final class ContactSolver {
     }
 
     private boolean turns(int slot) {
-        return tick.bodies.kind[slot] == BodyStore.DYNAMIC
-                && passes[batches.kindOf(slot)].turns(slot);
+        boolean moves = tick.bodies.kind[slot] == BodyStore.DYNAMIC;
+        return moves && passes[batches.kindOf(slot)].turns(slot);
     }
 
     /** A colour of one row is swept by the scalar twin. */
@@ -358,6 +359,9 @@ public final class ContactSolver {
             if (b.kind[i] != BodyStore.DYNAMIC) {
                 continue;
             }
+            if (!t.loaded) {
+                LoadSweep.leave(b, i);
+            }
             t.body.axes.update(b, i);
             if (t.body.guide[i] == SolverBodies.FREE) {
                 Motion.fly(
@@ -408,9 +412,7 @@ public final class ContactSolver {
         }
     }
 
-    /**
-     * Coefficients that depend on the length of the step; the impulses of a sub-step scale with it.
-     */
+    /** Coefficients by the length of the step, with which the impulses of a sub-step scale. */
     private void timing(double stepSeconds) {
         Tuning settings = tick.settings;
         int substeps = settings.count(Tunable.SUBSTEPS);

@@ -29,6 +29,10 @@ import java.util.Arrays;
  * another or has nothing under it has (nearly) its own inertia at once, its neighbours to two
  * contacts with it, and gets the load's back slowly when all is still.
  *
+ * <p>A body that touches nothing but what never moves is in no pile: it bears no load, and what it
+ * did before counts only from the tick on in which another one joins it. So nothing that happens
+ * elsewhere, and may make this work needed at all, is felt by it.
+ *
  * <p>The load runs down in one sweep: bodies from the highest to the lowest, ties by slot, each
  * hands its weight and its load to what is under it, in proportion to the impulses of the last
  * tick. Loads run down over contacts; other kinds of constraints carry none yet. The order is a
@@ -70,6 +74,9 @@ public final class LoadSweep implements Stateful {
     /** Ticks of rest before the load counts. */
     public static final int HOLD = 18;
 
+    /** {@link BodyStore#restTicks} of a body that has flown, or lain on what never moves. */
+    private static final int ALONE = -1;
+
     private static final int HOPS = 2;
     private static final int BODIES_PER_BLOCK = 256;
     private static final int ROWS_PER_BLOCK = 512;
@@ -88,6 +95,9 @@ public final class LoadSweep implements Stateful {
     private byte[] reason = {};
 
     private byte[] next = {};
+
+    /** By body: whether it touches another one that is dynamic or kinematic. */
+    private boolean[] piled = {};
 
     /** Rows that carry a body: from {@code first} on, up to the next body's. */
     private int[] first = {};
@@ -194,6 +204,7 @@ public final class LoadSweep implements Stateful {
             reach = new double[n];
             reason = new byte[n];
             next = new byte[n];
+            piled = new boolean[n];
             end = new int[n];
             first = new int[n + 1];
         }
@@ -226,7 +237,8 @@ public final class LoadSweep implements Stateful {
             reach[i] = norm(vx, vy, vz) + norm(wx, wy, wz) * radius;
             int o = 6 * i;
             double[] old = b.lastVelocity;
-            boolean known = b.inertiaScale[i] > 0 && !stale;
+            boolean known = b.inertiaScale[i] > 0 && b.restTicks[i] != ALONE;
+            piled[i] = false;
             if (known) {
                 double a =
                         inverse
@@ -271,11 +283,15 @@ public final class LoadSweep implements Stateful {
         }
     }
 
-    /** Marks the bodies of a contact that is hit, slips, or is deep. */
+    /** Marks the bodies of a contact that is of a pile; and that is hit, slips, or is deep. */
     private void gate(int m) {
         int source = list.source[m];
         int a = contacts.bodyA[source];
         int b = contacts.bodyB[source];
+        if (bodies.kind[a] != BodyStore.STATIC && bodies.kind[b] != BodyStore.STATIC) {
+            piled[a] = true;
+            piled[b] = true;
+        }
         double radius = bodies.innerRadiusOfMoving(a, b);
         double unit = Math.sqrt(gravity * radius);
         int from = ContactStore.POINTS * source;
@@ -426,6 +442,12 @@ public final class LoadSweep implements Stateful {
         return false;
     }
 
+    /** Once a body is in no pile, and no load is left; all are in none in a tick without loads. */
+    public static void leave(BodyStore b, int i) {
+        b.inertiaScale[i] = 1;
+        b.restTicks[i] = ALONE;
+    }
+
     private void scale(int block, int worker) {
         BodyStore b = bodies;
         boolean any = false;
@@ -435,9 +457,9 @@ public final class LoadSweep implements Stateful {
             if (b.kind[i] != BodyStore.DYNAMIC) {
                 continue;
             }
-            if (guide[i] == SolverBodies.FREE) {
-                b.inertiaScale[i] = 1;
-                b.restTicks[i] = 0;
+            boolean flies = guide[i] == SolverBodies.FREE;
+            if (flies || !(piled[i] || b.inertiaScale[i] > 1)) {
+                leave(b, i);
                 continue;
             }
             double own = gravity / b.inverseMass[i];

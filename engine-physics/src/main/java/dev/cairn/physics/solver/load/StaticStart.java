@@ -142,6 +142,7 @@ public class StaticStart {
                     !starts(b, c.bodyA[source], root, still)
                             || !starts(b, c.bodyB[source], root, still);
         }
+        leaveAlone(b, c, list);
         int all = 0;
         for (int m = 0; m < list.contacts; m++) {
             int root = island[list.mover(m)];
@@ -159,6 +160,24 @@ public class StaticStart {
                 reserve(i);
             }
             swept[i] = false;
+        }
+    }
+
+    /**
+     * A body on what never moves is solved by itself, and is no start: in a world without piles
+     * nobody looks for one.
+     */
+    private void leaveAlone(BodyStore b, ContactStore c, EdgeList list) {
+        Arrays.fill(taken, 0, b.slotCount, false);
+        for (int m = 0; m < list.contacts; m++) {
+            int source = list.source[m];
+            taken[island[list.mover(m)]] |=
+                    b.kind[c.bodyA[source]] != BodyStore.STATIC
+                            && b.kind[c.bodyB[source]] != BodyStore.STATIC;
+        }
+        for (int k = 0; k < slotsUsed; k++) {
+            swept[slots[k]] |= !taken[slots[k]];
+            taken[slots[k]] = false;
         }
     }
 
