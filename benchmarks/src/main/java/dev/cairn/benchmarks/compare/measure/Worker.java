@@ -245,7 +245,7 @@ public final class Worker {
         clock.compilers = cpu.compilerNanos() < 0 ? -1 : clock.compilers + cpu.compilerNanos();
     }
 
-    /** Steps from the start of the JVM on, over and over through the scene. */
+    /** Steps from the start of the JVM on, over and over through the scene; once at least. */
     private Protocol.Answer cold(Case scene, Protocol.Request request) {
         // The JVM's own start, on the clock of nanoTime.
         long started =
@@ -257,9 +257,10 @@ public final class Worker {
         long end = started + (long) (request.seconds() * 1e9);
         try (Judge judge = new Judge(scene)) {
             long begun = cpu.processNanos();
-            while (System.nanoTime() < end) {
+            boolean goesOn = true;
+            while (goesOn) {
                 try (Peer peer = engine.create(judge.description(), request.peer())) {
-                    for (int tick = 1; tick <= scene.ticks() && System.nanoTime() < end; tick++) {
+                    for (int tick = 1; tick <= scene.ticks() && goesOn; tick++) {
                         long before = System.nanoTime();
                         peer.step();
                         long now = System.nanoTime();
@@ -267,6 +268,7 @@ public final class Worker {
                                 (now - started) / 1e6,
                                 (now - before) / 1e6,
                                 () -> (cpu.processNanos() - begun) / 1e9);
+                        goesOn = now < end;
                     }
                 }
             }
