@@ -275,6 +275,15 @@ public final class BodyStore extends Poses implements Stateful {
         columns(new Columns.Clear().rows(slot, slot + 1));
     }
 
+    /** Whether two bodies that touch are a pile: each is dynamic, or kinematic. */
+    public boolean isPile(int a, int b) {
+        return isOfPile(a) && isOfPile(b);
+    }
+
+    private boolean isOfPile(int slot) {
+        return kind[slot] == DYNAMIC || kind[slot] == KINEMATIC;
+    }
+
     /**
      * Whether a body is kinematic and moves, or its surface does.
      *

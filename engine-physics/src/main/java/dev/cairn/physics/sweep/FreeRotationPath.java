@@ -15,7 +15,7 @@ import dev.cairn.physics.solver.body.PrincipalAxes;
  * so that forwards from there it comes to where it was. Of a body that turns by more than 128 rad
  * in a tick only the mean motion is known.
  *
- * <p>One thread. Allocates nothing, except for the axes of a body that it has not kept.
+ * <p>One thread. Allocates when it is made.
  */
 public final class FreeRotationPath {
     /** The turn of a step, rad, and how many steps a tick has at most. */
@@ -54,7 +54,7 @@ public final class FreeRotationPath {
     /** At a time: angular velocity, rad/s, world. */
     private final double[] w = new double[3];
 
-    private final double[] v = new double[3], turn = new double[4];
+    private final double[] v = new double[3], turn = new double[4], tensor = new double[9];
 
     /** Any body, until one is chosen. */
     public FreeRotationPath() {
@@ -100,7 +100,9 @@ public final class FreeRotationPath {
         // they cost more than all else here, and are looked for again in the next search
         int at = (body & KEPT - 1) * PrincipalAxes.STRIDE;
         System.arraycopy(kept, at, axes.data, 0, PrincipalAxes.STRIDE);
-        axes.update(one, 0);
+        if (!axes.isCurrent(one, 0)) {
+            axes.find(one, 0, tensor, turn);
+        }
         System.arraycopy(axes.data, 0, kept, at, PrincipalAxes.STRIDE);
         isSymmetric = FreeRotation.symmetry(axes.data, 0) >= 0;
     }

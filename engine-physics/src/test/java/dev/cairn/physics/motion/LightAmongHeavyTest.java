@@ -1,5 +1,6 @@
 package dev.cairn.physics.motion;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.Body;
@@ -99,6 +100,27 @@ class LightAmongHeavyTest {
                     double ratio = fastest(seed);
                     assertTrue(ratio < MOST, "seed " + seed + ": " + ratio + " of a fall");
                 });
+    }
+
+    /** A user presses a light body onto a heavy one: that is no warm start gone wrong. */
+    @Test
+    void whatIsPressedByAForceHolds() {
+        try (PhysicsWorld world = Scenes.awake().build()) {
+            Scenes.ground(world);
+            Shape cube = Box.cubeOfHalfExtent(.5);
+            world.add(Body.dynamic().shape(cube).at(0, .5, 0).mass(100));
+            BodyRef light = world.add(Body.dynamic().shape(cube).at(0, 1.5, 0).mass(1));
+            for (int t = 0; t < 300; t++) {
+                light.applyForce(0, -2000, 0);
+                world.step(Scenes.STEP);
+            }
+            assertEquals(1.5, light.position().y, 1e-3);
+            double normal = 0;
+            for (int p = 0; p < world.contacts().pointCount(1); p++) {
+                normal += world.contacts().normalImpulse(1, p);
+            }
+            assertEquals((2000 + 9.81) * Scenes.STEP, normal, 1e-3);
+        }
     }
 
     /** One island that is solved in lockstep, and small ones. */

@@ -41,8 +41,32 @@ public final class PrincipalAxes {
         }
     }
 
-    /** Makes the axes of slot {@code i} agree with its inertia. */
+    /** Makes the axes of slot {@code i} agree with its inertia; allocates if it has changed. */
     public void update(BodyStore b, int i) {
+        if (!isCurrent(b, i)) {
+            find(b, i, new double[9], new double[4]);
+        }
+    }
+
+    /** Whether the axes of slot {@code i} are those of its inertia. */
+    public boolean isCurrent(BodyStore b, int i) {
+        double[] d = data;
+        int k = i * STRIDE + KEY;
+        return d[k] == b.inertiaXX[i]
+                && d[k + 1] == b.inertiaYY[i]
+                && d[k + 2] == b.inertiaZZ[i]
+                && d[k + 3] == b.inertiaXY[i]
+                && d[k + 4] == b.inertiaXZ[i]
+                && d[k + 5] == b.inertiaYZ[i];
+    }
+
+    /**
+     * Finds the axes of slot {@code i}.
+     *
+     * @param a scratch, nine numbers
+     * @param q scratch, four
+     */
+    public void find(BodyStore b, int i, double[] a, double[] q) {
         double[] d = data;
         int k = i * STRIDE + KEY;
         double xx = b.inertiaXX[i];
@@ -51,14 +75,6 @@ public final class PrincipalAxes {
         double xy = b.inertiaXY[i];
         double xz = b.inertiaXZ[i];
         double yz = b.inertiaYZ[i];
-        if (d[k] == xx
-                && d[k + 1] == yy
-                && d[k + 2] == zz
-                && d[k + 3] == xy
-                && d[k + 4] == xz
-                && d[k + 5] == yz) {
-            return;
-        }
         d[k] = xx;
         d[k + 1] = yy;
         d[k + 2] = zz;
@@ -69,8 +85,14 @@ public final class PrincipalAxes {
         double spread = size - Math.min(xx, Math.min(yy, zz));
         double off = Math.max(Math.abs(xy), Math.max(Math.abs(xz), Math.abs(yz)));
         isotropic[i] = Math.max(spread, off) <= SAME * size;
-        double[] a = {xx, xy, xz, xy, yy, yz, xz, yz, zz};
-        double[] q = {0, 0, 0, 1};
+        a[0] = xx;
+        a[4] = yy;
+        a[8] = zz;
+        a[1] = a[3] = xy;
+        a[2] = a[6] = xz;
+        a[5] = a[7] = yz;
+        q[0] = q[1] = q[2] = 0;
+        q[3] = 1;
         if (off > 1e-14 * size) {
             for (int sweep = 0; sweep < 12; sweep++) {
                 sweep(a, q);

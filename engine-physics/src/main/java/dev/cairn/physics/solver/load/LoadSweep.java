@@ -288,7 +288,7 @@ public final class LoadSweep implements Stateful {
         int source = list.source[m];
         int a = contacts.bodyA[source];
         int b = contacts.bodyB[source];
-        if (bodies.kind[a] != BodyStore.STATIC && bodies.kind[b] != BodyStore.STATIC) {
+        if (bodies.isPile(a, b)) {
             piled[a] = true;
             piled[b] = true;
         }

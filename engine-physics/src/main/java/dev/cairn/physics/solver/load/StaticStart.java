@@ -171,9 +171,7 @@ public class StaticStart {
         Arrays.fill(taken, 0, b.slotCount, false);
         for (int m = 0; m < list.contacts; m++) {
             int source = list.source[m];
-            taken[island[list.mover(m)]] |=
-                    b.kind[c.bodyA[source]] != BodyStore.STATIC
-                            && b.kind[c.bodyB[source]] != BodyStore.STATIC;
+            taken[island[list.mover(m)]] |= b.isPile(c.bodyA[source], c.bodyB[source]);
         }
         for (int k = 0; k < slotsUsed; k++) {
             swept[slots[k]] |= !taken[slots[k]];

@@ -103,7 +103,8 @@ public final class WarmStartLimit {
     private int light(int j) {
         int a = rows.link[j * ConstraintRows.LINK];
         int b = rows.link[j * ConstraintRows.LINK + 1];
-        if (!tick.body.isMoved(a) || !tick.body.isMoved(b)) {
+        // rows that fill groups of lanes up have no points
+        if (rows.points(j) == 0 || !tick.body.isMoved(a) || !tick.body.isMoved(b)) {
             return -1;
         }
         int i = SolverBodies.slot(a);
