@@ -432,6 +432,7 @@ public final class ContactSolver {
             tick.contacts.beginUneven();
         }
         sub.fillScale = tick.impulseScale;
+        sub.setUp(tick.gravity, tick.weight());
         sub.still = SupportAnalysis.STILL * tick.weight() * stepSeconds;
         sub.closing = CLOSING * tick.weight() * stepSeconds;
         sub.touch = TOUCH * tick.weight() * sub.seconds * sub.seconds;

@@ -241,7 +241,7 @@ public final class ScalarSweep implements ScalarPasses {
             int place,
             int times) {
         int source = rows.link[place * LINK + ConstraintRows.SOURCE];
-        Offsets.update(rows, bodies.state, contacts, source, place, sub, times);
+        Offsets.update(rows, bodies, contacts, source, place, sub, times);
     }
 
     @Override

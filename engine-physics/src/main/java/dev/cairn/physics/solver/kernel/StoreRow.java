@@ -25,7 +25,7 @@ public final class StoreRow implements RowStore {
                 int source = rows.link[l + SOURCE];
                 impulses(rows, contacts, j, source);
                 if (sub.offsetGain > 0) {
-                    Offsets.update(rows, bodies.state, contacts, source, j, sub, 1);
+                    Offsets.update(rows, bodies, contacts, source, j, sub, 1);
                 }
             }
         }

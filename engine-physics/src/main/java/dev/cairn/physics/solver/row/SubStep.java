@@ -24,6 +24,9 @@ public final class SubStep {
     /** Share of its overlap that a point at rest moves into its offset; 0 for no offsets. */
     public double offsetGain;
 
+    /** Against gravity, of length 1, or 0 without gravity; set for each tick. */
+    public double upX, upY, upZ;
+
     /** Speed below which a point rests, m/s; set for each tick. */
     public double still;
 
@@ -91,6 +94,14 @@ public final class SubStep {
         landingSweeps = Math.max(sweeps, settings.count(Tunable.COLD_SWEEPS) / 2);
         coldRounds = settings.count(Tunable.COLD_SWEEPS);
         lone = settings.count(Tunable.LONE_SWEEPS);
+    }
+
+    /** Sets where up is. */
+    public void setUp(double[] gravity, double weight) {
+        double inverseWeight = weight > 0 ? -1 / weight : 0;
+        upX = inverseWeight * gravity[0];
+        upY = inverseWeight * gravity[1];
+        upZ = inverseWeight * gravity[2];
     }
 
     /** Impulse of a sub-step that a metre of overlap holds at rest, over the effective mass. */

@@ -47,6 +47,9 @@ final class LaneStore implements RowStore {
     /** Speeds along the tangents. */
     private static final int SLIPS = PACKED + 14 * L;
 
+    /** Shares of their loads that the offsets may hold. */
+    private static final int MOST = PACKED + 16 * L;
+
     LaneStore(LaneKernels.Bodies bodies) {
         gathers = bodies;
     }
@@ -73,6 +76,7 @@ final class LaneStore implements RowStore {
             friction(d, o, st);
             if (gain > 0) {
                 stage(rows, contacts, j, st);
+                shares(rows, bodies, j, sub, st);
                 slip(d, o, st, g, still);
                 offsets(d, o, st, g, points, sub, gain, still);
             }
@@ -104,6 +108,15 @@ final class LaneStore implements RowStore {
             for (int i = 0; i < ContactStore.POINTS; i++) {
                 st[GAPS + i * L + l] = there ? c.separation[p + i] : 0;
             }
+        }
+    }
+
+    /** {@link Offsets#most} of each lane. */
+    private static void shares(
+            ConstraintRows rows, SolverBodies bodies, int j, SubStep sub, double[] st) {
+        for (int l = 0; l < L; l++) {
+            boolean there = rows.link[(j + l) * LINK + COUNT] > 0;
+            st[MOST + l] = there ? Offsets.most(rows, bodies, j + l, sub) : 0;
         }
     }
 
@@ -197,6 +210,7 @@ final class LaneStore implements RowStore {
         var by = DoubleVector.fromArray(S, st, VB + 4 * LINE + g);
         var bz = DoubleVector.fromArray(S, st, VB + 5 * LINE + g);
         double touch = /*(float)*/ sub.touch;
+        var most = DoubleVector.fromArray(S, st, MOST);
         for (int i = 0; i < points; i++) {
             int q = o + (POINT + i * POINT_FIELDS) * L;
             var impulse = DoubleVector.fromArray(S, d, q + IMPULSE * L);
@@ -224,7 +238,7 @@ final class LaneStore implements RowStore {
                     gap.compare(VectorOperators.LT, 0.0).or(gap.compare(VectorOperators.GT, touch));
             var learnt =
                     known.sub(k.mul(DoubleVector.zero(S).blend(gap, matters).mul(gain)))
-                            .min(known.max(impulse));
+                            .min(known.max(impulse.mul(most)));
             var open =
                     impulse.compare(VectorOperators.EQ, 0.0)
                             .and(gap.compare(VectorOperators.GT, 0.0));
