@@ -131,7 +131,7 @@ public final class SeamStage implements Stateful {
             firstHeld = new int[LEAST];
         }
         // a heap that is stirred meets its largest number of groups late
-        int wanted = Math.max(LEAST, colliders.slotCount / 4);
+        int wanted = Math.max(LEAST, colliders.slotCount / 2);
         if (collider.length < wanted) {
             ensureGroups(Math.max(wanted, 2 * collider.length));
         }
