@@ -46,7 +46,8 @@ public enum Tunable {
 
     /**
      * Share of a resting point's overlap that goes into its offset each tick; 0 is off. The sag of
-     * soft contacts fades within a second; above 0.02 tall stacks grow restless.
+     * soft contacts fades within seconds, half of it where they are inclined; above 0.02 tall
+     * stacks grow restless.
      */
     OFFSET_GAIN(false, 0.01, 0, 0.05),
 

@@ -38,9 +38,9 @@ class HeapAtRestTest {
 
     private static Shape shape(SplittableRandom random) {
         double size = .15 + .35 * random.nextDouble();
-        double a = size * (.3 + .7 * random.nextDouble());
-        double b = size * (.3 + .7 * random.nextDouble());
-        double c = size * (.3 + .7 * random.nextDouble());
+        double a = Scenes.part(size, random);
+        double b = Scenes.part(size, random);
+        double c = Scenes.part(size, random);
         return switch (random.nextInt(5)) {
             case 0 -> Sphere.of(.7 * size);
             case 1 -> Capsule.of(a, b);

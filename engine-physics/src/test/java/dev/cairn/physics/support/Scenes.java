@@ -179,6 +179,11 @@ public final class Scenes {
         return all;
     }
 
+    /** From three tenths of a size to all of it. */
+    public static double part(double size, RandomGenerator random) {
+        return size * (.3 + .7 * random.nextDouble());
+    }
+
     /** Any orientation: a unit quaternion, evenly over all. */
     public static Quaterniond turn(RandomGenerator random) {
         while (true) {

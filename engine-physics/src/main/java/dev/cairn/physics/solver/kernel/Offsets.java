@@ -44,8 +44,8 @@ public final class Offsets {
 
     private Offsets() {}
 
-    /** The share of the load of the row at place {@code j} that its offsets may hold. */
-    public static double most(ConstraintRows rows, SolverBodies bodies, int j, SubStep sub) {
+    /** The share of its load that the offsets of the row at place {@code j} may hold. */
+    public static double share(ConstraintRows rows, SolverBodies bodies, int j, SubStep sub) {
         double[] d = rows.doubles;
         int lanes = rows.lanes;
         int o = rows.base(j);
@@ -75,7 +75,7 @@ public final class Offsets {
         double gain = times * sub.offsetGain;
         double still = sub.still;
         double touch = /*(float)*/ sub.touch;
-        double most = most(rows, bodies, j, sub);
+        double share = share(rows, bodies, j, sub);
         double[] body = bodies.state;
         double[] d = rows.doubles;
         int lanes = rows.lanes;
@@ -104,8 +104,9 @@ public final class Offsets {
                                     d, q + ConstraintRows.ARM_A * lanes, lanes, body, a + 3);
             if (impulse > 0 && rests && Math.abs(speed) < still) {
                 double learnt = known - k * ((gap < 0 || gap > touch ? gap : 0) * gain);
-                // l' <= max(l, N): what overlaps beyond the sag of the load N is being pushed out
-                known = Math.min(learnt, Math.max(known, most * impulse));
+                // l' <= max(l, share N): what overlaps beyond the sag of the load N is being pushed
+                // out
+                known = Math.min(learnt, Math.max(known, share * impulse));
             } else {
                 known *= impulse == 0 && gap > 0 ? OPEN : MOVING;
             }

@@ -48,7 +48,7 @@ final class LaneStore implements RowStore {
     private static final int SLIPS = PACKED + 14 * L;
 
     /** Shares of their loads that the offsets may hold. */
-    private static final int MOST = PACKED + 16 * L;
+    private static final int SHARES = PACKED + 16 * L;
 
     LaneStore(LaneKernels.Bodies bodies) {
         gathers = bodies;
@@ -111,12 +111,12 @@ final class LaneStore implements RowStore {
         }
     }
 
-    /** {@link Offsets#most} of each lane. */
+    /** {@link Offsets#share} of each lane. */
     private static void shares(
             ConstraintRows rows, SolverBodies bodies, int j, SubStep sub, double[] st) {
         for (int l = 0; l < L; l++) {
             boolean there = rows.link[(j + l) * LINK + COUNT] > 0;
-            st[MOST + l] = there ? Offsets.most(rows, bodies, j + l, sub) : 0;
+            st[SHARES + l] = there ? Offsets.share(rows, bodies, j + l, sub) : 0;
         }
     }
 
@@ -210,7 +210,7 @@ final class LaneStore implements RowStore {
         var by = DoubleVector.fromArray(S, st, VB + 4 * LINE + g);
         var bz = DoubleVector.fromArray(S, st, VB + 5 * LINE + g);
         double touch = /*(float)*/ sub.touch;
-        var most = DoubleVector.fromArray(S, st, MOST);
+        var share = DoubleVector.fromArray(S, st, SHARES);
         for (int i = 0; i < points; i++) {
             int q = o + (POINT + i * POINT_FIELDS) * L;
             var impulse = DoubleVector.fromArray(S, d, q + IMPULSE * L);
@@ -238,7 +238,7 @@ final class LaneStore implements RowStore {
                     gap.compare(VectorOperators.LT, 0.0).or(gap.compare(VectorOperators.GT, touch));
             var learnt =
                     known.sub(k.mul(DoubleVector.zero(S).blend(gap, matters).mul(gain)))
-                            .min(known.max(impulse.mul(most)));
+                            .min(known.max(impulse.mul(share)));
             var open =
                     impulse.compare(VectorOperators.EQ, 0.0)
                             .and(gap.compare(VectorOperators.GT, 0.0));
