@@ -185,6 +185,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                 manifolds,
                 gravity(),
                 tick.stepSeconds(),
+                settings.substeps(),
                 tick.jobs());
         wholes.join(table.broadPhase);
         sweeps.run(tick.stepSeconds(), tick.jobs());
@@ -324,7 +325,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                 tick.jobs());
         if (sleepers.changes() != changes) {
             table.registry.restBounds();
-            wakes.lean();
+            wakes.lean(settings.substeps());
         }
     }
 

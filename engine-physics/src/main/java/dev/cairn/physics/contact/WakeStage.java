@@ -5,6 +5,7 @@ import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.island.Leaning;
 import dev.cairn.physics.island.SleepingBodies;
 
 import java.util.Arrays;
@@ -16,16 +17,10 @@ import java.util.Arrays;
  * <p>Simulation thread; the narrow phase in blocks; allocates only when rows are added.
  */
 public final class WakeStage {
-    /**
-     * Change of a force, or of its moment over the radius, that wakes; over the sleeper's weight or
-     * the load that it carried, whichever is more.
-     */
-    private static final double LEAN_CHANGE = 0.5;
-
     private final SleepingBodies sleepers;
     private final BodyStore bodies;
     private final ContactStore contacts;
-    private double gravity;
+    private final Leaning leaning;
     private double seconds = 1;
     private double secondsBefore = 1;
     private int[] late = {};
@@ -37,6 +32,7 @@ public final class WakeStage {
         this.sleepers = sleepers;
         this.bodies = bodies;
         this.contacts = contacts;
+        leaning = new Leaning(sleepers, bodies, contacts);
     }
 
     /**
@@ -46,6 +42,7 @@ public final class WakeStage {
      * @param manifolds collides their rows
      * @param gravity its size, m/s²
      * @param stepSeconds length of the tick, s
+     * @param substeps sub-steps of a tick
      */
     public void run(
             BoundsStage bounds,
@@ -53,20 +50,21 @@ public final class WakeStage {
             ManifoldStage manifolds,
             double gravity,
             double stepSeconds,
+            int substeps,
             Jobs jobs) {
-        this.gravity = gravity;
         secondsBefore = seconds;
         seconds = stepSeconds;
         if (sleepers.asleepCount() == 0) {
             return;
         }
+        leaning.look(gravity, stepSeconds, 1 / secondsBefore, substeps);
         wakeTouched(contacts.active, contacts.activeCount);
         sleepers.wakeLinked();
         while (sleepers.freshCount() > 0) {
             refresh(bounds, broadPhase);
             join();
             if (lateCount == 0) {
-                return;
+                break;
             }
             int[] all = contacts.active;
             int count = contacts.activeCount;
@@ -85,6 +83,7 @@ public final class WakeStage {
             wakeTouched(late, lateCount);
             sleepers.wakeLinked();
         }
+        leaning.settle(1 / secondsBefore, substeps);
     }
 
     /** Brings boxes and margins of bodies that were woken within the tick up to date. */
@@ -104,25 +103,11 @@ public final class WakeStage {
     /**
      * Remembers the forces that moving bodies put on bodies that fell asleep beside them; after
      * {@link SleepingBodies#look}, if any fell asleep.
+     *
+     * @param substeps sub-steps of a tick
      */
-    public void lean() {
-        byte[] kind = bodies.kind;
-        for (int i = 0; i < contacts.activeCount; i++) {
-            int row = contacts.active[i];
-            int a = contacts.bodyA[row];
-            int b = contacts.bodyB[row];
-            int mover = kind[a] == BodyStore.DYNAMIC ? a : b;
-            int sleeper = a + b - mover;
-            if (kind[mover] == BodyStore.DYNAMIC
-                    && kind[sleeper] == BodyStore.ASLEEP
-                    && !sleepers.settled(sleeper)
-                    && contacts.isSolved(row)) {
-                contacts.beginLeaning();
-                contacts.lean[row] =
-                        Math.max(Double.MIN_NORMAL, contacts.normalImpulse(row) / seconds);
-                sleepers.awakeNeighbours().leanOn(mover);
-            }
-        }
+    public void lean(int substeps) {
+        leaning.begin(1 / seconds, substeps);
     }
 
     /** A point joins a body asleep to one that is awake, or to a fixed one that is new there. */
@@ -133,71 +118,17 @@ public final class WakeStage {
             int a = contacts.bodyA[row];
             int b = contacts.bodyB[row];
             if ((kind[a] == BodyStore.ASLEEP || kind[b] == BodyStore.ASLEEP)
-                    && (contacts.isSolved(row) || leans(row))
-                    && !staysAsleep(row)) {
+                    && (contacts.isSolved(row) || leaning.leans(row))
+                    && !leaning.staysAsleep(row, 1 / secondsBefore)) {
                 wake(row);
             }
         }
     }
 
-    private boolean leans(int row) {
-        return contacts.leans && contacts.lean[row] > 0;
-    }
-
-    /**
-     * Whether the sleeper of a contact carries about as much of the body that moves beside it as
-     * when it fell asleep, at about the same place.
-     */
-    private boolean staysAsleep(int row) {
-        int a = contacts.bodyA[row];
-        int mover = bodies.kind[a] == BodyStore.DYNAMIC ? a : contacts.bodyB[row];
-        int sleeper = a + contacts.bodyB[row] - mover;
-        if (bodies.kind[mover] != BodyStore.DYNAMIC) {
-            return false;
-        }
-        double weight = gravity / bodies.inverseMass[sleeper];
-        if (!leans(row)) {
-            return mayBeginToLean(row, mover, weight);
-        }
-        // Apart: F0. Else F - F0, if that is more, and the moment max(F, F0) d / r; loads that only
-        // go from one contact to another beside a body that stays in its place change nothing.
-        double before = contacts.lean[row];
-        double change = before;
-        if (contacts.isSolved(row)) {
-            double force = contacts.normalImpulse(row) / secondsBefore;
-            double moved = sleepers.awakeNeighbours().moved(mover) / bodies.innerRadius[sleeper];
-            change = Math.max(0, force - before) + Math.max(force, before) * moved;
-        }
-        return change <= LEAN_CHANGE * Math.max(weight, before);
-    }
-
-    /**
-     * A body beside those asleep touches one more of them: that wakes the sleeper unless the
-     * momentum is small beside what the sleeper's weight gives it in a tick. What it presses with
-     * shows in the next.
-     */
-    private boolean mayBeginToLean(int row, int mover, double weight) {
-        // m |v| <= share m g h; not so for a body on which no other leans yet: d is not a number
-        boolean small =
-                bodies.surfaceSpeed(mover)
-                                <= LEAN_CHANGE * weight * seconds * bodies.inverseMass[mover]
-                        && sleepers.awakeNeighbours().moved(mover) >= 0;
-        if (small) {
-            contacts.beginLeaning();
-            contacts.lean[row] = Double.MIN_NORMAL;
-        }
-        return small;
-    }
-
     private void wake(int row) {
-        int a = contacts.bodyA[row];
-        int b = contacts.bodyB[row];
-        if (leans(row)) {
-            contacts.lean[row] = 0;
-            sleepers.awakeNeighbours().forget(bodies.kind[a] == BodyStore.DYNAMIC ? a : b);
-        }
-        sleepers.wake(a);
-        sleepers.wake(b);
+        leaning.forget(row);
+        sleepers.wake(contacts.bodyA[row]);
+        sleepers.wake(contacts.bodyB[row]);
     }
 
     /** Rows that have become active: into the list, and by themselves into another. */

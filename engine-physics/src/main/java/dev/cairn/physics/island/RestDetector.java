@@ -137,6 +137,14 @@ public final class RestDetector {
         return stayed[slot] >= stillSeconds;
     }
 
+    /**
+     * Whether a body has stayed about its place for the time of quiet, which is enough where nearly
+     * all others are still.
+     */
+    boolean isStaying(int slot) {
+        return stayed[slot] >= stillSeconds / STILL;
+    }
+
     /** What is remembered of each slot; slots have room already. */
     void state(StateVisitor s, int slots) {
         s.section("rest", this);

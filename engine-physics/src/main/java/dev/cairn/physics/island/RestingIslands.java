@@ -89,7 +89,7 @@ final class RestingIslands {
         if (restless[root]
                 || (isHeap[root] && size[root] == 1)
                 || movers[root] > Math.max(1, size[root] / MOVERS)
-                || (movers[root] > 0 && !detector.isStill(s))) {
+                || (movers[root] > 0 && !detector.isStaying(s))) {
             return false;
         }
         if (head[root] == NONE) {

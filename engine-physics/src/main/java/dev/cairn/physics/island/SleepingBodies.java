@@ -19,7 +19,7 @@ public final class SleepingBodies {
     private static final int LOOK = 4;
 
     /** Words that {@link #bits} gives of a body. */
-    public static final int WORDS = 22;
+    public static final int WORDS = 19 + AwakeNeighbours.KEPT;
 
     private static final int NONE = -1;
 
@@ -195,12 +195,8 @@ public final class SleepingBodies {
         return told;
     }
 
-    /**
-     * Those that move beside sleepers.
-     *
-     * @return where they were
-     */
-    public AwakeNeighbours awakeNeighbours() {
+    /** Those that move beside sleepers. */
+    AwakeNeighbours awakeNeighbours() {
         return neighbours;
     }
 
@@ -469,7 +465,7 @@ public final class SleepingBodies {
      * Adds what is remembered of a body to a hash.
      *
      * @param slot of a body
-     * @param at 0 to 21
+     * @param at 0 to WORDS - 1
      * @return bits
      */
     public long bits(int slot, int at) {

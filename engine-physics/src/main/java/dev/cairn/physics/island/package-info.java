@@ -26,12 +26,24 @@
  * roll in a trough for minutes, since nothing in a contact dissipates that. So among others, in an
  * island of two bodies or more, a body that has stayed within {@code min(0.01 r, 0.001 sqrt(g r)
  * T)} of one place for {@code T}, four times the time of quiet, is still. A heap sleeps when all in
- * it are at rest or still, but for one or one in sixteen. These movers stay awake, and those asleep
- * are to them as if fixed. A sleeper remembers the force {@code F0} of each mover that leans on it,
- * and where that mover was; the sleeper wakes, with its ring, when {@code max(0, F - F0) + max(F,
- * F0) d/r} exceeds half of its weight or of {@code F0}, when the mover leaves it, or when the mover
- * comes to touch another sleeper with a momentum above half of what the sleeper's weight gives it
- * in a tick.
+ * it are at rest or still, but for one or one in sixteen. Of these, too, sleeps who has stayed
+ * about his place for the time of quiet; the others are movers, which stay awake, and those asleep
+ * are to them as if fixed.
+ *
+ * <p>{@link Leaning}: a sleeper remembers the force {@code F0} of each mover that leans on it, and
+ * of a mover is remembered where it was and {@code R0}, the force of all that bears it and does not
+ * move. The sleeper, of inner radius {@code r} and weight {@code W}, wakes, with its ring, when
+ *
+ * <pre>
+ *   L G + (F0 + G) d/r > max(W, F0)/2,    G = min(max(0, F - F0), |R - R0|)
+ * </pre>
+ *
+ * <p>where {@code d} is how far the mover has gone, and {@code L >= 1} the contact's lever over
+ * {@code r}; when a contact opens that bore more than this; and when another of its bodies is
+ * touched with a momentum {@code L m v} above half of what {@code W} gives it in a tick, or is
+ * overlapped by more than what shows. Why both {@code F} and {@code R}: beside what cannot give way
+ * the springs of contacts are stiffer, so what jams between two sleepers is squeezed twice as hard
+ * within two ticks, and bears no more than before.
  *
  * <p>Invariants: a ring of sleepers sleeps and wakes as a whole. A body asleep has the kind {@code
  * ASLEEP}, velocity 0, and its rows keep points, impulses and place, but are not active unless the

@@ -11,6 +11,7 @@ import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.support.MixedHeap;
 import dev.cairn.physics.support.Scenes;
 
 import org.junit.jupiter.api.Tag;
@@ -24,6 +25,7 @@ import java.util.Random;
 @Tag("compiled")
 class HeapSleepTest {
     private static final long SEED = 11;
+    private static final int HEAPS = 4;
 
     private static PhysicsWorld world(int workers, int lanes) {
         return PhysicsWorld.builder()
@@ -172,6 +174,98 @@ class HeapSleepTest {
                                 || ball.position().x < 0.6 + half + 0.05,
                         "tips at " + ball.position().x);
             }
+        }
+    }
+
+    /**
+     * What jams between two sleepers is squeezed harder than between two that give way, and balls
+     * spin on their places for ever: neither is a reason to wake a heap. From second 15 to 30
+     * bodies sleep for four fifths of the time (a fifth before that was so).
+     */
+    @Test
+    void heapsGoOnSleeping() {
+        long asleep = 0;
+        for (long seed = 1; seed <= HEAPS; seed++) {
+            try (PhysicsWorld world = world(1, 1)) {
+                List<BodyRef> bodies = MixedHeap.drop(world, seed, 5, 4);
+                Scenes.run(world, 900);
+                for (int second = 0; second < 15; second++) {
+                    Scenes.run(world, 60);
+                    asleep += bodies.stream().filter(BodyRef::isAsleep).count();
+                }
+            }
+        }
+        assertTrue(asleep > 0.6 * HEAPS * 15 * 100, asleep + " with seeds 1 to " + HEAPS);
+    }
+
+    private static final class Stack implements AutoCloseable {
+        final PhysicsWorld world = world(1, 1);
+        final List<BodyRef> boxes = new ArrayList<>();
+
+        Stack() {
+            Scenes.ground(world);
+            for (int i = 0; i < 3; i++) {
+                boxes.add(
+                        world.add(
+                                Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5 + i, 0)));
+            }
+            Scenes.run(world, 180);
+            assertTrue(Scenes.allAsleep(boxes));
+        }
+
+        void roll(double speed) {
+            world.add(
+                    Body.dynamic()
+                            .shape(Sphere.of(0.5))
+                            .mass(300)
+                            .at(-1.02, 0.5, 0)
+                            .velocity(speed, 0, 0)
+                            .angularVelocity(0, 0, -speed / 0.5));
+        }
+
+        @Override
+        public void close() {
+            world.close();
+        }
+    }
+
+    /** A ball as heavy as a third of a box comes to touch a stack at 2 cm/s: it turns round. */
+    @Test
+    void aSoftTouchWakesNobody() {
+        try (Stack stack = new Stack()) {
+            stack.roll(0.02);
+            for (int tick = 0; tick < 300; tick++) {
+                stack.world.step(Scenes.STEP);
+                assertTrue(Scenes.allAsleep(stack.boxes), "tick " + tick);
+            }
+        }
+        try (Stack stack = new Stack()) {
+            stack.roll(2);
+            Scenes.run(stack.world, 3);
+            assertFalse(stack.boxes.get(0).isAsleep(), "a blow wakes");
+        }
+    }
+
+    /**
+     * A plank lies on a block of 0.2 m, asleep. A box of a tenth of its weight is put down at its
+     * end, softly: 0.1 x 1.4 m beyond the block's edge are more than the plank's own 0.1 m.
+     */
+    @Test
+    void aSmallLoadAtALongLeverWakes() {
+        try (PhysicsWorld world = world(1, 1)) {
+            Scenes.ground(world);
+            world.add(Body.fixed().shape(Box.ofHalfExtents(0.1, 0.5, 0.5)).at(0, 0.5, 0));
+            BodyRef plank =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.ofHalfExtents(1.6, 0.05, 0.3))
+                                    .mass(100)
+                                    .at(0, 1.05, 0));
+            Scenes.run(world, 180);
+            assertTrue(plank.isAsleep());
+            world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.1)).mass(10).at(1.5, 1.2, 0));
+            Scenes.run(world, 120);
+            assertTrue(Math.abs(plank.orientation().z) > 0.05, "the plank tips");
         }
     }
 }
