@@ -310,7 +310,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
             }
             table.registry.sweep();
         }
-        table.registry.beginTick();
+        table.registry.beginTick(tick.number());
     }
 
     /** Islands that have come to rest sleep from the next tick on. */

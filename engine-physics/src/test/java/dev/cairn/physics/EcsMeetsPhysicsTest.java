@@ -458,4 +458,64 @@ class EcsMeetsPhysicsTest {
             assertEquals(10, sum[0], 0.0);
         }
     }
+
+    /** Plates 2 m apart, each with a ball on it; a plate is gone when its entity is. */
+    @Test
+    void aFixedBodyGoesWithItsEntity() {
+        List<BodyRef> plates = new ArrayList<>();
+        Script script =
+                new Script(
+                        "deletes plate 1",
+                        tick -> {
+                            if (tick.number() == 20) {
+                                tick.commands().delete(plates.get(1).entity());
+                            }
+                        },
+                        PhysicsWorld.SYSTEM);
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).systems(script).build()) {
+            List<BodyRef> balls = new ArrayList<>();
+            for (int i = 0; i < 5; i++) {
+                plates.add(
+                        world.add(
+                                Body.fixed().shape(Box.ofHalfExtents(.5, .5, .5)).at(2 * i, 0, 0)));
+                balls.add(world.add(Body.dynamic().shape(Sphere.of(.25)).at(2 * i, .75, 0)));
+            }
+            run(world, 10);
+            assertEquals(List.of(), fallen(balls));
+            world.ecs().delete(plates.get(0).entity());
+            run(world, 30);
+            assertEquals(
+                    List.of(0, 1), fallen(balls), "between steps, and by a command in tick 20");
+            var state = world.save();
+            world.ecs().remove(plates.get(2).entity(), RigidBody.COMPONENT);
+            run(world, 30);
+            assertEquals(List.of(0, 1, 2), fallen(balls), "no body any more");
+            world.restore(state);
+            run(world, 30);
+            assertEquals(List.of(0, 1), fallen(balls), "there again");
+            world.setPaused(true);
+            run(world, 5);
+            world.ecs().delete(plates.get(3).entity());
+            run(world, 5);
+            world.setPaused(false);
+            run(world, 30);
+            assertEquals(List.of(0, 1, 3), fallen(balls), "while the physics was paused");
+        }
+    }
+
+    private static void run(PhysicsWorld world, int ticks) {
+        for (int i = 0; i < ticks; i++) {
+            world.step(STEP);
+        }
+    }
+
+    private static List<Integer> fallen(List<BodyRef> balls) {
+        List<Integer> fallen = new ArrayList<>();
+        for (int i = 0; i < balls.size(); i++) {
+            if (balls.get(i).position().y() < .7) {
+                fallen.add(i);
+            }
+        }
+        return fallen;
+    }
 }

@@ -240,6 +240,20 @@ abstract sealed class WorldContents permits World {
     }
 
     /**
+     * When an entity with a component last went: was deleted, lost a component or got one. A system
+     * that keeps something for each entity of a kind, and remembers the number, need not look who
+     * is gone while nobody can be. Costs a look at each set of components that there is.
+     *
+     * @param component the component
+     * @return the number of the tick in which, or after which, it was; -1 if none ever went
+     * @throws NullPointerException if {@code component} is null
+     */
+    public final long lastDeparture(Component<?> component) {
+        requireKey(component);
+        return store.lastDeparture(component);
+    }
+
+    /**
      * Replaces a component of an entity.
      *
      * @param entity the entity

@@ -239,4 +239,26 @@ class WorldTest {
         }
         return failure;
     }
+
+    @Test
+    void tellsWhenAnEntityOfAKindLastWent() {
+        assertEquals(-1, world.lastDeparture(POSITION), "nobody was there");
+        long kept = world.spawn(new Position(1, 2));
+        long gone = world.spawn(new Position(1, 2));
+        world.step(0.01);
+        assertEquals(-1, world.lastDeparture(POSITION), "coming is no going");
+        world.set(kept, new Position(3, 4));
+        world.delete(world.spawn(new Velocity(3, 4)));
+        assertEquals(-1, world.lastDeparture(POSITION), "of another kind");
+        assertEquals(1, world.lastDeparture(VELOCITY));
+        world.step(0.01);
+        world.delete(gone);
+        assertEquals(2, world.lastDeparture(POSITION), "after tick 2");
+        var before = world.save();
+        world.step(0.01);
+        world.remove(kept, POSITION);
+        assertEquals(3, world.lastDeparture(POSITION), "lost its component");
+        world.restore(before);
+        assertEquals(2, world.lastDeparture(POSITION), "part of the state");
+    }
 }

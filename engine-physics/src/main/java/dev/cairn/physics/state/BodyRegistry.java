@@ -62,6 +62,9 @@ public final class BodyRegistry implements Stateful {
     /** How often {@link #sweep} ran: entities may have moved between chunks since. */
     public long revision;
 
+    /** The tick in which fixed bodies were last looked at for those that are gone. */
+    private long sweptTick;
+
     private int[] free = new int[16];
     private int freeCount;
     private int[] goneChildren = new int[16];
@@ -142,6 +145,7 @@ public final class BodyRegistry implements Stateful {
         comY = s.array("comY", comY, slots);
         comZ = s.array("comZ", comZ, slots);
         jumps = s.array("jumps", jumps, slots);
+        sweptTick = s.value("sweptTick", sweptTick);
         freeCount = s.value("freeCount", freeCount);
         free = s.array("free", free, freeCount);
         goneCount = s.value("goneCount", goneCount);
@@ -295,9 +299,13 @@ public final class BodyRegistry implements Stateful {
         }
     }
 
-    /** The same for fixed bodies, whose chunks the physics does not walk. */
-    public void sweepFixed() {
+    /** The same for fixed bodies, whose chunks the physics does not walk, if one may be gone. */
+    private void sweepFixed(long tick) {
         World ecs = world();
+        if (ecs.lastDeparture(RigidBody.COMPONENT) < sweptTick) {
+            return;
+        }
+        sweptTick = tick;
         for (int i = 0; i < fixedCount; i++) {
             int slot = fixed[i];
             long entity = bodies.entity[slot];
@@ -308,10 +316,10 @@ public final class BodyRegistry implements Stateful {
     }
 
     /** Before the bounds: lists are up to date, and fixed bodies where they were put. */
-    public void beginTick() {
+    public void beginTick(long tick) {
         places++;
         refreshLists();
-        sweepFixed();
+        sweepFixed(tick);
         refreshLists();
         sleepers.forgetFresh();
         placeFixed();

@@ -42,6 +42,9 @@ public final class Archetype {
     public Slab[] slabs = new Slab[0];
     public int rows;
 
+    /** The tick in which a row last left; -1 if none has. */
+    long departureTick = -1;
+
     /** Column by field id, -1 where the archetype has no such column. */
     private final int[] slotByField;
 
@@ -164,6 +167,7 @@ public final class Archetype {
         }
         lastSlab.size = lastLocal;
         lastSlab.structureTick = tick;
+        departureTick = tick;
         rows = last;
         return moved;
     }
@@ -202,6 +206,7 @@ public final class Archetype {
     void state(StateVisitor s) {
         s.section("table", this);
         rows = s.count("rows", rows);
+        departureTick = s.value("departureTick", departureTick);
         int chunks = chunkCount();
         if (s.isRestoring()) {
             prepare(chunks);

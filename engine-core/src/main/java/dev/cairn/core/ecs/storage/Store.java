@@ -381,6 +381,18 @@ public final class Store {
         archetype(ComponentSet.of(list), list);
     }
 
+    /** The tick in which an entity with a component last left its table; -1 if none has. */
+    public long lastDeparture(Component<?> component) {
+        long last = -1;
+        for (int i = 0; i < archetypes.size(); i++) {
+            Archetype archetype = archetypes.get(i);
+            if (archetype.has(component)) {
+                last = Math.max(last, archetype.departureTick);
+            }
+        }
+        return last;
+    }
+
     /** The order of tables is part of the state: those that came later were never there. */
     private void dropFrom(int count) {
         if (count == archetypes.size()) {
