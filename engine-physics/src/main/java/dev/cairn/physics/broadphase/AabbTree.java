@@ -61,11 +61,7 @@ public final class AabbTree implements Stateful {
         return leaves;
     }
 
-    /**
-     * The height of the root.
-     *
-     * @return 0 for no leaf or one leaf
-     */
+    /** The height of the root; 0 for no leaf or one leaf. */
     public int height() {
         return root == NONE ? 0 : height[root];
     }
@@ -216,7 +212,10 @@ public final class AabbTree implements Stateful {
             } else {
                 right[above] = sibling;
             }
-            refit(above);
+            // nothing is rotated: what is put in again, as moved leaves are, does that on its way
+            while (above != NONE && pull(above)) {
+                above = parent[above];
+            }
         }
     }
 
@@ -276,20 +275,24 @@ public final class AabbTree implements Stateful {
         }
     }
 
-    /** Box and height of an inner node from its children. */
-    void pull(int node) {
+    /** Box and height of an inner node from its children; whether they are others than before. */
+    boolean pull(int node) {
         unions++;
         double[] box = bounds;
         int n = 6 * node;
         int a = 6 * left[node];
         int b = 6 * right[node];
-        box[n] = Math.min(box[a], box[b]);
-        box[n + 1] = Math.min(box[a + 1], box[b + 1]);
-        box[n + 2] = Math.min(box[a + 2], box[b + 2]);
-        box[n + 3] = Math.max(box[a + 3], box[b + 3]);
-        box[n + 4] = Math.max(box[a + 4], box[b + 4]);
-        box[n + 5] = Math.max(box[a + 5], box[b + 5]);
-        height[node] = 1 + Math.max(height[left[node]], height[right[node]]);
+        int tall = 1 + Math.max(height[left[node]], height[right[node]]);
+        boolean changes = tall != height[node];
+        height[node] = tall;
+        for (int k = 0; k < 3; k++) {
+            double low = Math.min(box[a + k], box[b + k]);
+            double high = Math.max(box[a + 3 + k], box[b + 3 + k]);
+            changes |= low != box[n + k] || high != box[n + 3 + k];
+            box[n + k] = low;
+            box[n + 3 + k] = high;
+        }
+        return changes;
     }
 
     /**
@@ -488,11 +491,7 @@ public final class AabbTree implements Stateful {
             return 1;
         }
         int count = validate(left[node], node) + validate(right[node], node);
-        double[] was = Arrays.copyOfRange(bounds, 6 * node, 6 * node + 6);
-        int wasHeight = height[node];
-        pull(node);
-        if (!Arrays.equals(was, 0, 6, bounds, 6 * node, 6 * node + 6)
-                || wasHeight != height[node]) {
+        if (pull(node)) {
             throw new IllegalStateException("node " + node + " is not the union of its children");
         }
         return count;

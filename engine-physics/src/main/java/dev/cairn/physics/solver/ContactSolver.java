@@ -353,6 +353,7 @@ public final class ContactSolver {
         double[] g = t.gravity;
         double weight = t.weight();
         int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
+        int substeps = t.settings.count(Tunable.SUBSTEPS);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             b.pressed[i] = 0;
             b.pressing[i] = 0;
@@ -364,8 +365,7 @@ public final class ContactSolver {
             }
             t.body.axes.update(b, i);
             if (t.body.guide[i] == SolverBodies.FREE) {
-                Motion.fly(
-                        b, t.body, i, g[0], g[1], g[2], t.step, t.settings.count(Tunable.SUBSTEPS));
+                Motion.fly(b, t.body, i, g[0], g[1], g[2], t.step, substeps);
             } else {
                 passes[batches.kindOf(i)].load(i, weight);
             }

@@ -398,8 +398,15 @@ public final class Collector implements Stateful {
     private void colour() {
         colouring.begin(slots, list);
         for (int k = 0; k <= list.kinds.length; k++) {
-            colouring.beginKind(k);
-            for (int m = list.first[k]; m < list.first[k + 1]; m++) {
+            int end = list.first[k + 1];
+            boolean lockstep = false;
+            for (int m = list.first[k]; m < end; m++) {
+                lockstep |= batches.isLockstep(m);
+            }
+            if (list.first[k] < end) {
+                colouring.beginKind(k, lockstep);
+            }
+            for (int m = list.first[k]; m < end; m++) {
                 if (list.isBetweenMovers(m)) {
                     colouring.add(m, list.slotA[m], list.slotB[m], cold[m], batches.isLockstep(m));
                 } else {

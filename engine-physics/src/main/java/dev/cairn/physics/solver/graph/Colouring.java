@@ -94,7 +94,7 @@ public final class Colouring {
             used = new long[n];
             usedCold = new long[n];
             next = new int[n];
-            still = new int[n];
+            still = new int[n / 2 + 1];
         }
         int rows = list.source.length;
         if (colour.length < rows) {
@@ -110,13 +110,18 @@ public final class Colouring {
         Arrays.fill(fixed, 0);
     }
 
-    /** What follows are edges of another kind, which do not see the colours of the last. */
-    void beginKind(int of) {
+    /**
+     * What follows are edges of another kind, which do not see the colours of the last.
+     *
+     * @param lockstep whether any of them is in lockstep
+     */
+    void beginKind(int of, boolean lockstep) {
         kindInWork = of;
-        Arrays.fill(used, 0, 2 * slots, 0L);
-        Arrays.fill(usedCold, 0, 2 * slots, 0L);
-        Arrays.fill(next, 0, 2 * slots, 0);
-        Arrays.fill(still, 0, 2 * slots, 0);
+        int n = lockstep ? 2 * slots : slots;
+        Arrays.fill(used, 0, n, 0L);
+        Arrays.fill(usedCold, 0, n, 0L);
+        Arrays.fill(next, 0, n, 0);
+        Arrays.fill(still, 0, slots, 0);
     }
 
     /**
