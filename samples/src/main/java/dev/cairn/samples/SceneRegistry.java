@@ -16,6 +16,7 @@ import dev.cairn.samples.scenes.OneWay;
 import dev.cairn.samples.scenes.Pairs;
 import dev.cairn.samples.scenes.RollingLoad;
 import dev.cairn.samples.scenes.RollingResistance;
+import dev.cairn.samples.scenes.Shafts;
 import dev.cairn.samples.scenes.Shapes;
 import dev.cairn.samples.scenes.SlipToRoll;
 import dev.cairn.samples.scenes.SlopeBall;
@@ -79,6 +80,7 @@ public final class SceneRegistry {
                     SphereGrid.elastic(),
                     ManyPyramids.scene(),
                     LargeWorld.scene(),
+                    Shafts.scene(),
                     Pile.spheres(),
                     Pile.boxes(),
                     Pile.mixed(),

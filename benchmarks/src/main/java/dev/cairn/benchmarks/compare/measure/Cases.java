@@ -244,6 +244,19 @@ public final class Cases {
                                             + " radius. What nothing touches should cost nothing.")
                             .large(4, 1, Map.of("side", "20", "balls", "20")),
                     Case.small(
+                                    "shafts",
+                                    "Shafts (2028 bodies, 19 683 fixed boxes)",
+                                    "shafts",
+                                    Map.of("side", "27", "bodies", "3"),
+                                    120,
+                                    "offMetres",
+                                    "largest distance from the parabola, m",
+                                    10,
+                                    "Balls and spinning boxes fall straight through a lattice of"
+                                            + " fixed boxes for 2 s, near to some and touching"
+                                            + " none: y0 - g t²/2. Work for the broad phase.")
+                            .large(4, 1, Map.of("side", "9", "bodies", "2")),
+                    Case.small(
                                     "many-pyramids",
                                     "Many pyramids (10780 boxes)",
                                     "many-pyramids",
