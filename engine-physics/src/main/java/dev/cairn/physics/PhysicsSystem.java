@@ -183,7 +183,9 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                 table.bounds,
                 table.broadPhase,
                 manifolds,
-                gravity(),
+                gravityX,
+                gravityY,
+                gravityZ,
                 tick.stepSeconds(),
                 settings.substeps(),
                 tick.jobs());

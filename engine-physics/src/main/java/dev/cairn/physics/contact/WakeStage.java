@@ -40,7 +40,9 @@ public final class WakeStage {
      *
      * @param bounds brings the boxes of the woken up to date
      * @param manifolds collides their rows
-     * @param gravity its size, m/s²
+     * @param gx gravity, world, m/s²
+     * @param gy gravity, world, m/s²
+     * @param gz gravity, world, m/s²
      * @param stepSeconds length of the tick, s
      * @param substeps sub-steps of a tick
      */
@@ -48,7 +50,9 @@ public final class WakeStage {
             BoundsStage bounds,
             BroadPhase broadPhase,
             ManifoldStage manifolds,
-            double gravity,
+            double gx,
+            double gy,
+            double gz,
             double stepSeconds,
             int substeps,
             Jobs jobs) {
@@ -57,7 +61,7 @@ public final class WakeStage {
         if (sleepers.asleepCount() == 0) {
             return;
         }
-        leaning.look(gravity, stepSeconds, 1 / secondsBefore, substeps);
+        leaning.look(gx, gy, gz, stepSeconds, 1 / secondsBefore, substeps);
         wakeTouched(contacts.active, contacts.activeCount);
         sleepers.wakeLinked();
         while (sleepers.freshCount() > 0) {

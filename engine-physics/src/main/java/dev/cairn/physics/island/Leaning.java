@@ -22,7 +22,9 @@ public final class Leaning {
     private final BodyStore bodies;
     private final ContactStore contacts;
 
-    private double gravity;
+    private double gravityX;
+    private double gravityY;
+    private double gravityZ;
     private double seconds = 1;
     private boolean begins;
 
@@ -68,13 +70,18 @@ public final class Leaning {
     /**
      * Before any row of a tick is asked for.
      *
-     * @param gravity its size, m/s²
+     * @param gx gravity, world, m/s²
+     * @param gy gravity, world, m/s²
+     * @param gz gravity, world, m/s²
      * @param stepSeconds length of the tick, s
      * @param perSecond ticks per second, of the last tick's length
      * @param substeps sub-steps of a tick
      */
-    public void look(double gravity, double stepSeconds, double perSecond, int substeps) {
-        this.gravity = gravity;
+    public void look(
+            double gx, double gy, double gz, double stepSeconds, double perSecond, int substeps) {
+        gravityX = gx;
+        gravityY = gy;
+        gravityZ = gz;
         seconds = stepSeconds;
         begins = false;
         if (contacts.leans) {
@@ -120,12 +127,12 @@ public final class Leaning {
         }
         int sleeper = contacts.bodyA[row] + contacts.bodyB[row] - mover;
         double radius = bodies.innerRadius[sleeper];
-        double weight = gravity / bodies.inverseMass[sleeper];
+        double bears = bears(row, sleeper);
         // L: lever of the contact over the sleeper's inner radius, at least 1
         double lever = Math.max(1, lever(row, sleeper) / radius);
         if (!leans(row) || !neighbours.leans(mover)) {
-            // m v L <= share W h
-            double speed = CHANGE * weight * seconds * bodies.inverseMass[mover] / lever;
+            // m v L <= share B h
+            double speed = CHANGE * bears * seconds * bodies.inverseMass[mover] / lever;
             return mayBegin(row, mover, speed, radius);
         }
         double before = contacts.lean[row];
@@ -136,7 +143,25 @@ public final class Leaning {
             double growth = Math.min(Math.max(0, force - before), neighbours.change(mover));
             change = lever * growth + (before + growth) * neighbours.moved(mover) / radius;
         }
-        return change <= CHANGE * Math.max(weight, before);
+        return change <= CHANGE * Math.max(bears, before);
+    }
+
+    /**
+     * What a sleeper bears along a contact's normal before it moves, N: its weight from above or
+     * below, and what friction makes of that from the side, {@code B = min(m |g|, m (|g.n| + mu
+     * |g|))}.
+     */
+    private double bears(int row, int sleeper) {
+        double gx = gravityX;
+        double gy = gravityY;
+        double gz = gravityZ;
+        double g = Math.sqrt(gx * gx + gy * gy + gz * gz);
+        double along =
+                gx * contacts.normalX(row)
+                        + gy * contacts.normalY(row)
+                        + gz * contacts.normalZ(row);
+        double most = Math.abs(along) + contacts.friction(row) * g;
+        return Math.min(g, most) / bodies.inverseMass[sleeper];
     }
 
     /**

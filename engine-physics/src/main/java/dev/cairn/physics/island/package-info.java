@@ -32,15 +32,16 @@
  *
  * <p>{@link Leaning}: a sleeper remembers the force {@code F0} of each mover that leans on it, and
  * of a mover is remembered where it was and {@code R0}, the force of all that bears it and does not
- * move. The sleeper, of inner radius {@code r} and weight {@code W}, wakes, with its ring, when
+ * move. The sleeper, of inner radius {@code r}, bears {@code B} along a contact's normal: its
+ * weight, or from the side what friction makes of it. It wakes, with its ring, when
  *
  * <pre>
- *   L G + (F0 + G) d/r > max(W, F0)/2,    G = min(max(0, F - F0), |R - R0|)
+ *   L G + (F0 + G) d/r > max(B, F0)/2,    G = min(max(0, F - F0), |R - R0|)
  * </pre>
  *
  * <p>where {@code d} is how far the mover has gone, and {@code L >= 1} the contact's lever over
  * {@code r}; when a contact opens that bore more than this; and when another of its bodies is
- * touched with a momentum {@code L m v} above half of what {@code W} gives it in a tick, or is
+ * touched with a momentum {@code L m v} above half of what {@code B} gives it in a tick, or is
  * overlapped by more than what shows. Why both {@code F} and {@code R}: beside what cannot give way
  * the springs of contacts are stiffer, so what jams between two sleepers is squeezed twice as hard
  * within two ticks, and bears no more than before.

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
@@ -243,6 +244,34 @@ class HeapSleepTest {
             stack.roll(2);
             Scenes.run(stack.world, 3);
             assertFalse(stack.boxes.get(0).isAsleep(), "a blow wakes");
+        }
+    }
+
+    /** On ice a soft touch wakes, too: without friction nothing holds the box, and both go on. */
+    @Test
+    void aSoftTouchOnIceIsFelt() {
+        Material ice = new Material(0, 0, 1000);
+        double speed = 0.03;
+        try (PhysicsWorld world = world(1, 1)) {
+            world.add(Body.fixed().shape(Box.ofHalfExtents(9, 1, 9)).at(0, -1, 0).material(ice));
+            BodyRef box =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(0.5))
+                                    .at(0, 0.5, 0)
+                                    .material(ice));
+            Scenes.run(world, 180);
+            assertTrue(box.isAsleep());
+            BodyRef other =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(0.5))
+                                    .at(-1.02, 0.5, 0)
+                                    .velocity(speed, 0, 0)
+                                    .material(ice));
+            Scenes.run(world, 90);
+            assertEquals(speed / 2, box.velocity().x, 1e-3 * speed);
+            assertEquals(speed / 2, other.velocity().x, 1e-3 * speed);
         }
     }
 
