@@ -60,17 +60,20 @@ public final class Shafts {
         double middle = 0.5 * PITCH * (side - 1);
         Box pillar = Box.cubeOfHalfExtent(HALF);
         for (int i = 0; i < side * side * side; i++) {
+            int line = i / side;
+            int layer = line / side;
             double x = PITCH * (i % side) - middle;
-            double y = PITCH * (i / side % side);
-            double z = PITCH * (i / (side * side)) - middle;
+            double y = PITCH * (line % side);
+            double z = PITCH * layer - middle;
             scene.add(pillar, Palette.STONE, Body.fixed().at(x, y, z));
         }
         List<BodyRef> bodies = new ArrayList<>();
         List<Vector3d> starts = new ArrayList<>();
         double top = PITCH * side;
         for (int i = 0; i < (side - 1) * (side - 1); i++) {
+            int line = i / (side - 1);
             double x = PITCH * (i % (side - 1) + 0.5) - middle;
-            double z = PITCH * (i / (side - 1) + 0.5) - middle;
+            double z = PITCH * (line + 0.5) - middle;
             for (int k = 0; k < each; k++) {
                 Shape shape = (i + k) % 2 == 0 ? Sphere.of(RADIUS) : Box.cubeOfHalfExtent(SMALL);
                 Vector3d start = new Vector3d(x, top + APART * k + scene.random(0, 1), z);
