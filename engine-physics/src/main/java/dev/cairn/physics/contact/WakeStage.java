@@ -68,7 +68,7 @@ public final class WakeStage {
             refresh(bounds, broadPhase);
             join();
             if (lateCount == 0) {
-                break;
+                return;
             }
             int[] all = contacts.active;
             int count = contacts.activeCount;
@@ -87,7 +87,6 @@ public final class WakeStage {
             wakeTouched(late, lateCount);
             sleepers.wakeLinked();
         }
-        leaning.settle(1 / secondsBefore, substeps);
     }
 
     /** Brings boxes and margins of bodies that were woken within the tick up to date. */

@@ -19,10 +19,7 @@ final class AwakeNeighbours {
 
     private final BodyStore bodies;
 
-    /**
-     * Position not a number: it leans on nobody. Force not a number: to be remembered when the tick
-     * has no more to wake.
-     */
+    /** All not a number: it leans on nobody. */
     private double[] kept = {};
 
     /** Force of what bears it in the present tick, N; scratch. */
@@ -66,14 +63,6 @@ final class AwakeNeighbours {
             kept[o] = bodies.positionX[mover];
             kept[o + 1] = bodies.positionY[mover];
             kept[o + 2] = bodies.positionZ[mover];
-            kept[o + FORCE] = Double.NaN;
-        }
-    }
-
-    /** Remembers what bears a body now, if it began to lean in this tick. */
-    void settle(int mover) {
-        if (leans(mover) && Double.isNaN(kept[KEPT * mover + FORCE])) {
-            remember(mover);
         }
     }
 
@@ -96,14 +85,13 @@ final class AwakeNeighbours {
         return Math.sqrt(x * x + y * y + z * z);
     }
 
-    /** By how much what bears a body has changed since then, N; 0 if it began in this tick. */
+    /** By how much what bears a body has changed since that was remembered, N. */
     double change(int mover) {
         int o = KEPT * mover + FORCE;
         double x = bears[3 * mover] - kept[o];
         double y = bears[3 * mover + 1] - kept[o + 1];
         double z = bears[3 * mover + 2] - kept[o + 2];
-        double change = Math.sqrt(x * x + y * y + z * z);
-        return change >= 0 ? change : 0;
+        return Math.sqrt(x * x + y * y + z * z);
     }
 
     /** A body that wakes beside one that moves is put to the test anew. */

@@ -26,7 +26,6 @@ public final class Leaning {
     private double gravityY;
     private double gravityZ;
     private double seconds = 1;
-    private boolean begins;
 
     /** A rule. */
     public Leaning(SleepingBodies sleepers, BodyStore bodies, ContactStore contacts) {
@@ -83,22 +82,8 @@ public final class Leaning {
         gravityY = gy;
         gravityZ = gz;
         seconds = stepSeconds;
-        begins = false;
         if (contacts.leans) {
             addUp(perSecond, substeps);
-        }
-    }
-
-    /** When no more bodies wake in a tick: what bears those that began to lean in it. */
-    public void settle(double perSecond, int substeps) {
-        if (!begins) {
-            return;
-        }
-        addUp(perSecond, substeps);
-        for (int i = 0; i < contacts.activeCount; i++) {
-            int row = contacts.active[i];
-            neighbours.settle(contacts.bodyA[row]);
-            neighbours.settle(contacts.bodyB[row]);
         }
     }
 
@@ -174,10 +159,12 @@ public final class Leaning {
         if (closing(row, mover) > speed || overlaps(row, radius)) {
             return false;
         }
-        begins = true;
         contacts.beginLeaning();
         contacts.lean[row] = Double.MIN_NORMAL;
-        neighbours.leanOn(mover);
+        if (!neighbours.leans(mover)) {
+            neighbours.leanOn(mover);
+            neighbours.remember(mover);
+        }
         return true;
     }
 

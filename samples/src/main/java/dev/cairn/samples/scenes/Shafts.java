@@ -18,7 +18,7 @@ import java.util.List;
 
 /**
  * Work for the broad phase, and for nothing else: a lattice of fixed boxes, and balls and spinning
- * boxes that fall through its shafts, near to some ten fixed boxes each and touching none.
+ * boxes that fall through its shafts, close by fixed boxes and touching none.
  *
  * <p>Truth: {@code y0 - g t²/2}, straight down.
  */
