@@ -318,7 +318,6 @@ public final class ContactSolver {
             }
             if (renewed) {
                 p.keep(head, tail);
-                p.takeOut(from, to, own);
                 p.renewBodies(sub, head, tail);
                 p.renewRows(sub, k, from, to, own);
             }

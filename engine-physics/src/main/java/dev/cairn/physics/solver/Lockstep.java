@@ -37,9 +37,6 @@ final class Lockstep {
     private final BlockJob biasWithin = this::biasWithin;
     private final BlockJob bias = this::bias;
     private final BlockJob drift = this::drift;
-    private final BlockJob takeOut = this::takeOut;
-    private final BlockJob takeOutWithin = this::takeOutWithin;
-    private final BlockJob renewBodies = this::renewBodies;
     private final BlockJob renewRows = this::renewRows;
     private final BlockJob renewWithin = this::renewWithin;
     private final BlockJob relax = this::relax;
@@ -163,11 +160,8 @@ final class Lockstep {
                 joints.place(jobs);
                 jobs.run(lookBack, bodyBlocks);
             }
-            if (renews) {
-                contacts(takeOut, jobs);
-                jobs.run(takeOutWithin, domains);
-                jobs.run(renewBodies, bodyBlocks);
-                contacts(renewRows, jobs);
+            if (joints.any() && renews) {
+                colours(renewRows, colouring.firstContact[base], jobs);
                 jobs.run(renewWithin, domains);
             }
             joints.turn(jobs);
@@ -232,11 +226,6 @@ final class Lockstep {
     /** Runs a job over the rows of one colour after the other, in blocks. */
     private void colours(BlockJob job, Jobs jobs) {
         colours(job, colouring.firstColour[base], jobs);
-    }
-
-    /** The same over those of contacts alone. */
-    private void contacts(BlockJob job, Jobs jobs) {
-        colours(job, colouring.firstContact[base], jobs);
     }
 
     private void colours(BlockJob job, int first, Jobs jobs) {
@@ -304,6 +293,9 @@ final class Lockstep {
             }
         } else {
             if (!joints.any()) {
+                if (renews) {
+                    renew(firstPlace(domain), endPlace(domain), substep - 1, worker);
+                }
                 relaxWithin(domain, worker);
             }
             p.finish(pace, head, tail, own);
@@ -392,6 +384,7 @@ final class Lockstep {
         }
         if (renews) {
             passes.keep(head, tail);
+            passes.renewBodies(pace, head, tail);
         }
     }
 
@@ -467,27 +460,23 @@ final class Lockstep {
     }
 
     private void relax(int block, int worker) {
+        // while they are in the cache; joints look at them in between
+        if (renews && rowKind == 0 && !joints.any()) {
+            renewRows(block, worker);
+        }
         passes.relax(rowKind, sweep, pace, rowsFrom(block), rowsTo(block), locals[worker]);
     }
 
-    private void takeOut(int block, int worker) {
-        passes.takeOut(rowsFrom(block), rowsTo(block), locals[worker]);
-    }
-
-    private void takeOutWithin(int block, int worker) {
-        passes.takeOut(firstPlace(block), endPlace(block), locals[worker]);
-    }
-
-    private void renewBodies(int block, int worker) {
-        passes.renewBodies(pace, bodiesFrom(block), bodiesTo(block));
-    }
-
     private void renewRows(int block, int worker) {
-        passes.renewRows(pace, substep, rowsFrom(block), rowsTo(block), locals[worker]);
+        renew(rowsFrom(block), rowsTo(block), substep, worker);
     }
 
     private void renewWithin(int block, int worker) {
-        passes.renewRows(pace, substep, firstPlace(block), endPlace(block), locals[worker]);
+        renew(firstPlace(block), endPlace(block), substep, worker);
+    }
+
+    private void renew(int first, int end, int ofSubstep, int worker) {
+        passes.renewRows(pace, ofSubstep, first, end, locals[worker]);
     }
 
     private void storeRows(int block, int worker) {

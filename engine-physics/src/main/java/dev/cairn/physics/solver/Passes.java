@@ -311,13 +311,7 @@ final class Passes {
         }
     }
 
-    void takeOut(int from, int to, WorkerScratch local) {
-        if (rows.drags.isUsed) {
-            rows.drags.show(rows, from, to);
-        }
-        refresh.unload(rows, body.warm, from, to, local.renew);
-    }
-
+    /** Bodies whose rows are renewed; before these. */
     void renewBodies(SubStep sub, int from, int to) {
         for (int k = from; k < to; k++) {
             if (refresh.hasRenewedRow(tick.order[k])) {
@@ -333,6 +327,9 @@ final class Passes {
      * @param index of the sub-step; the first one scales what the contacts know
      */
     void renewRows(SubStep sub, int index, int from, int to, WorkerScratch local) {
+        if (rows.drags.isUsed) {
+            rows.drags.show(rows, from, to);
+        }
         refresh.rows(rows, body, tick.contacts, sub, index, from, to, local.renew);
         if (rows.drags.isUsed) {
             rows.drags.hide(rows, from, to);

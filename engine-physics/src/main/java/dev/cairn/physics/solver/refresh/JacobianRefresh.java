@@ -247,17 +247,15 @@ public final class JacobianRefresh {
     }
 
     /**
-     * Takes the impulses of the rows out of the bodies' warm start; blocks of a colour. A body that
-     * turns begins with none, so its rows need not be looked at.
+     * Takes the impulses of a row out of the bodies' warm start. A body that turns begins with
+     * none, see {@link #body}.
      */
-    public void unload(ConstraintRows rows, double[] warm, int from, int to, RefreshRow row) {
-        for (int j = from; j < to; j++) {
-            int how = renewed[j];
-            if ((how & (STAYS_A | STAYS_B)) != 0) {
-                row.takeOut(rows, warm, j, (how & STAYS_A) != 0, (how & STAYS_B) != 0);
-                if (rows.rolling.has(j)) {
-                    rows.rolling.addWarm(rows, warm, j, j, -1);
-                }
+    private static void unload(
+            ConstraintRows rows, double[] warm, int j, int how, RefreshRow row) {
+        if ((how & (STAYS_A | STAYS_B)) != 0) {
+            row.takeOut(rows, warm, j, (how & STAYS_A) != 0, (how & STAYS_B) != 0);
+            if (rows.rolling.has(j)) {
+                rows.rolling.addWarm(rows, warm, j, j, -1);
             }
         }
     }
@@ -389,7 +387,8 @@ public final class JacobianRefresh {
     }
 
     /**
-     * Fills the rows anew, and adds their impulses to the warm start; blocks of a colour.
+     * Fills the rows anew; their impulses leave the warm start with the old levers and come back
+     * with the new ones. Blocks of a colour.
      *
      * @param index of the sub-step
      */
@@ -408,6 +407,7 @@ public final class JacobianRefresh {
             if (how == 0) {
                 continue;
             }
+            unload(rows, s.warm, j, how, row);
             int k = j * KEPT;
             int source = rows.link[j * LINK + ConstraintRows.SOURCE];
             if (index == 0 && sub.fillScale != 1) {
