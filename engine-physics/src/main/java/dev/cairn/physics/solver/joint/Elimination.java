@@ -1,7 +1,6 @@
 package dev.cairn.physics.solver.joint;
 
 import java.util.Arrays;
-import java.util.PriorityQueue;
 
 /**
  * In which order bodies and joints of an assembly are eliminated, and what that fills.
@@ -82,6 +81,11 @@ final class Elimination {
     /** By node: the one that it was seen beside last. */
     private int[] seen;
 
+    /** Nodes by their keys, old ones too; by node: the last of its keys in it. */
+    private final KeyQueue queue = new KeyQueue();
+
+    private long[] queued = {};
+
     /**
      * Orders an assembly.
      *
@@ -125,6 +129,8 @@ final class Elimination {
         near = new int[0][];
         degree = new int[0];
         seen = new int[0];
+        queued = new long[0];
+        queue.clear();
     }
 
     private void connect(int i, int k) {
@@ -177,6 +183,7 @@ final class Elimination {
     private int root(int body) {
         int i = body;
         while (cluster[i] != i) {
+            cluster[i] = cluster[cluster[i]];
             i = cluster[i];
         }
         return i;
@@ -218,11 +225,21 @@ final class Elimination {
         ways[last] = Math.max(0, ways[last] - size[i]);
     }
 
+    /** Queues a node that has not gone by its present key, unless it is there by that. */
+    private void enqueue(int i) {
+        long key = key(i);
+        if (queued[i] != key) {
+            queued[i] = key;
+            queue.add(key);
+        }
+    }
+
     private boolean order() {
         boolean[] isGone = new boolean[nodes];
-        PriorityQueue<Long> queue = new PriorityQueue<>(nodes + 1);
+        queued = new long[nodes];
+        Arrays.fill(queued, -1);
         for (int i = 0; i < bodies; i++) {
-            queue.add(key(i));
+            enqueue(i);
         }
         int done = 0;
         int links = 0;
@@ -233,7 +250,7 @@ final class Elimination {
                 continue;
             }
             if (next != key(i)) {
-                queue.add(key(i));
+                enqueue(i);
                 continue;
             }
             isGone[i] = true;
@@ -255,7 +272,7 @@ final class Elimination {
             }
             tie(i);
             for (int e = 0; e < degree[i]; e++) {
-                queue.add(key(near[i][e]));
+                enqueue(near[i][e]);
             }
         }
         return true;

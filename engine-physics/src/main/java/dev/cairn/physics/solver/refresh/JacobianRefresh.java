@@ -250,8 +250,7 @@ public final class JacobianRefresh {
      * Takes the impulses of a row out of the bodies' warm start. A body that turns begins with
      * none, see {@link #body}.
      */
-    private static void unload(
-            ConstraintRows rows, double[] warm, int j, int how, RefreshRow row) {
+    private static void unload(ConstraintRows rows, double[] warm, int j, int how, RefreshRow row) {
         if ((how & (STAYS_A | STAYS_B)) != 0) {
             row.takeOut(rows, warm, j, (how & STAYS_A) != 0, (how & STAYS_B) != 0);
             if (rows.rolling.has(j)) {
