@@ -349,7 +349,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         for (int i = 0; i < table.bounds.invalidCount(); i++) {
             int slot = table.bounds.invalidSlot(i);
             quarantine(slot);
-            table.bounds.placeFixed(table.broadPhase, slot);
+            table.bounds.placeFixed(table.broadPhase, slot, false);
         }
     }
 

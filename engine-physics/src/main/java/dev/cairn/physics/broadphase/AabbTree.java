@@ -23,6 +23,9 @@ public final class AabbTree implements Stateful {
     /** No node. */
     public static final int NONE = -1;
 
+    /** Parent of a leaf that is not linked yet. */
+    private static final int PENDING = -2;
+
     /** How much higher one child may be than the other for the sake of area. */
     private static final int MAX_LEAN = 16;
 
@@ -101,13 +104,20 @@ public final class AabbTree implements Stateful {
      * @param leafItem the owner's number
      */
     public int insert(double[] box, int offset, int leafItem) {
+        int leaf = add(box, offset, leafItem);
+        link(leaf);
+        return leaf;
+    }
+
+    /** A leaf that is not linked yet, see {@link BulkInserts}. */
+    int add(double[] box, int offset, int leafItem) {
         int leaf = allocate();
         System.arraycopy(box, offset, bounds, 6 * leaf, 6);
+        parent[leaf] = PENDING;
         left[leaf] = NONE;
         right[leaf] = NONE;
         height[leaf] = 0;
         item[leaf] = leafItem;
-        link(leaf);
         leaves++;
         changes++;
         return leaf;
@@ -123,40 +133,20 @@ public final class AabbTree implements Stateful {
 
     /** Gives a leaf another box. */
     public void move(int leaf, double[] box, int offset) {
-        unlink(leaf);
+        boolean isLinked = !isPending(leaf);
+        if (isLinked) {
+            unlink(leaf);
+        }
         System.arraycopy(box, offset, bounds, 6 * leaf, 6);
-        link(leaf);
+        if (isLinked) {
+            link(leaf);
+        }
         changes++;
     }
 
-    /**
-     * The items of all leaves whose box overlaps a box, in the tree's order. For tests and tools;
-     * the broad phase walks the tree itself.
-     */
-    public int[] query(double[] box, int offset) {
-        int[] stack = new int[height() + 2];
-        int[] found = new int[16];
-        int count = 0;
-        int top = 0;
-        if (root != NONE) {
-            stack[top++] = root;
-        }
-        while (top > 0) {
-            int node = stack[--top];
-            if (!overlap(bounds, 6 * node, box, offset)) {
-                continue;
-            }
-            if (left[node] == NONE) {
-                if (count == found.length) {
-                    found = Arrays.copyOf(found, 2 * count);
-                }
-                found[count++] = item[node];
-            } else {
-                stack[top++] = right[node];
-                stack[top++] = left[node];
-            }
-        }
-        return Arrays.copyOf(found, count);
+    /** Whether a leaf waits to be linked. */
+    boolean isPending(int leaf) {
+        return parent[leaf] == PENDING;
     }
 
     /** Whether two boxes overlap; touching counts. */

@@ -49,6 +49,8 @@ public final class BroadPhase {
     private int newPairCount;
 
     private final BulkMoves moves = new BulkMoves(dynamicTree);
+    private final BulkInserts fixedInserts = new BulkInserts(staticTree);
+    private final BulkInserts inserts = new BulkInserts(dynamicTree);
     private final PairFilter filter;
     private final PairSearch search;
 
@@ -133,28 +135,36 @@ public final class BroadPhase {
     }
 
     /**
-     * {@link #place} of a slot that moves.
+     * {@link #place}, maybe together with others, which is cheaper for many.
      *
-     * @param withOthers whether the tree may wait for {@link #finishMoves}, which is cheaper for
-     *     many together; a slot at most once before that
+     * @param withOthers whether the tree may wait for {@link #finishPlaces}
      */
-    public void place(int slot, double[] box, int offset, boolean withOthers) {
+    public void place(int slot, boolean isStatic, double[] box, int offset, boolean withOthers) {
         int body = filter.colliders.body[slot];
         boolean isAlone =
                 filter.colliders.bodies.collider[body] == slot
                         && filter.colliders.next[slot] == ColliderStore.NONE;
-        if (!withOthers || where[slot] != DYNAMIC || !isAlone) {
-            place(slot, false, box, offset);
+        boolean isNew = where[slot] == OUT && !(isStatic && isEndless(box, offset));
+        boolean isMove = where[slot] == DYNAMIC && !isStatic && !dynamicTree.isPending(leaf[slot]);
+        if (!withOthers || !isAlone || !(isNew || isMove)) {
+            place(slot, isStatic, box, offset);
             return;
         }
         System.arraycopy(box, offset, fat, 6 * slot, 6);
-        moves.add(leaf[slot]);
+        if (isNew) {
+            leaf[slot] = (isStatic ? fixedInserts : inserts).add(box, offset, slot);
+            where[slot] = isStatic ? STATIC : DYNAMIC;
+        } else {
+            moves.add(leaf[slot]);
+        }
         mark(slot);
     }
 
-    /** The tree follows what was moved; before anything else is done with it. */
-    public void finishMoves() {
+    /** The trees follow what was placed together; before anything else is done with them. */
+    public void finishPlaces() {
         moves.run(fat);
+        fixedInserts.run();
+        inserts.run();
     }
 
     /**
@@ -251,7 +261,11 @@ public final class BroadPhase {
         if (many.root(slot) >= 0) {
             many.open(slot, where[slot] == DYNAMIC);
         }
-        (where[slot] == STATIC ? staticTree : dynamicTree).remove(leaf[slot]);
+        AabbTree tree = where[slot] == STATIC ? staticTree : dynamicTree;
+        if (tree.isPending(leaf[slot])) {
+            finishPlaces();
+        }
+        tree.remove(leaf[slot]);
         where[slot] = OUT;
     }
 

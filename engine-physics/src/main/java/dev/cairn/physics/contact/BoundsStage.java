@@ -183,7 +183,7 @@ public final class BoundsStage {
                 apply(b);
             }
         }
-        target.finishMoves();
+        target.finishPlaces();
     }
 
     /**
@@ -231,14 +231,14 @@ public final class BoundsStage {
         return column;
     }
 
-    /** Places a fixed body. */
-    public void placeFixed(BroadPhase target, int slot) {
+    /** Places a fixed body; see {@link BroadPhase#finishPlaces} for what is placed with others. */
+    public void placeFixed(BroadPhase target, int slot, boolean withOthers) {
         begin(slot);
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
             tightBox(c);
             setAhead(c, 0, 0, 0, 0);
             // a sensor of a fixed body also meets what is fixed
-            target.place(c, !colliders.sensor[c], tight, BOX * c);
+            target.place(c, !colliders.sensor[c], tight, BOX * c, withOthers);
         }
         target.settle(slot);
     }
@@ -386,7 +386,7 @@ public final class BoundsStage {
         boolean any = false;
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
             if (state[c] == LEFT) {
-                broadPhase.place(c, box, BOX * c, withOthers);
+                broadPhase.place(c, false, box, BOX * c, withOthers);
                 any = true;
             }
         }

@@ -413,7 +413,7 @@ public final class BodyRegistry implements Stateful {
             if (bodies.isDriven(kinematic[i])) {
                 bounds.placeDriven(broadPhase, kinematic[i], stepSeconds);
             } else if (changes) {
-                bounds.placeFixed(broadPhase, kinematic[i]);
+                bounds.placeFixed(broadPhase, kinematic[i], false);
             }
         }
     }
@@ -421,9 +421,10 @@ public final class BodyRegistry implements Stateful {
     private void placeFixed() {
         for (int i = 0; i < unplacedCount; i++) {
             if (stands(unplaced[i])) {
-                bounds.placeFixed(broadPhase, unplaced[i]);
+                bounds.placeFixed(broadPhase, unplaced[i], true);
             }
         }
+        broadPhase.finishPlaces();
         unplacedCount = 0;
     }
 

@@ -38,7 +38,7 @@ class AabbTreeTest {
                 tree.validate();
                 double[] probe = new double[6];
                 randomBox(random, probe, 0);
-                int[] found = tree.query(probe, 0);
+                int[] found = Leaves.touching(tree, probe, 0);
                 Arrays.sort(found);
                 int[] expected = bruteForce(boxes, leaf, probe);
                 assertArrayEquals(expected, found, "seed " + seed + ", change " + change);
@@ -123,6 +123,6 @@ class AabbTreeTest {
             tree.validate();
         }
         assertEquals(0, tree.leafCount());
-        assertEquals(0, tree.query(new double[] {-9, -9, -9, 99, 9, 9}, 0).length);
+        assertEquals(0, Leaves.touching(tree, new double[] {-9, -9, -9, 99, 9, 9}, 0).length);
     }
 }

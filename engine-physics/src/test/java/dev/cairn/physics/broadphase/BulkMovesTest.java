@@ -42,7 +42,7 @@ final class BulkMovesTest {
             }
             moves.run(boxes);
             tree.validate();
-            int[] found = tree.query(boxes, 6 * (tick % N));
+            int[] found = Leaves.touching(tree, boxes, 6 * (tick % N));
             Arrays.sort(found);
             assertArrayEquals(touching(tick % N), found, "tick " + tick);
         }

@@ -129,7 +129,7 @@ class FarPairsTest {
         body(0, Sphere.of(1), r, 0, 1);
         colliders.attach(1, HalfSpace.of());
         bodies.orientationW[1] = 1;
-        bounds.placeFixed(broadPhase, 1);
+        bounds.placeFixed(broadPhase, 1, false);
         try (Jobs jobs = Jobs.of(1)) {
             bounds.run(broadPhase, new int[] {0}, 1, 0, 0, 0, STEP, jobs);
         }
