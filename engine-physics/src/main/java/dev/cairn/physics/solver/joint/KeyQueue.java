@@ -25,9 +25,9 @@ final class KeyQueue {
             keys = Arrays.copyOf(keys, 2 * count);
         }
         int at = count++;
-        while (at > 0 && keys[at - 1 >> 1] > key) {
-            keys[at] = keys[at - 1 >> 1];
-            at = at - 1 >> 1;
+        while (at > 0 && keys[(at - 1) >> 1] > key) {
+            keys[at] = keys[(at - 1) >> 1];
+            at = (at - 1) >> 1;
         }
         keys[at] = key;
     }
