@@ -14,9 +14,10 @@ import dev.cairn.physics.solver.row.SubStep;
  *
  * <p>The bias pass goes over the domains first and over what is between them last, the relax pass
  * the other way round. So nothing comes between the relax pass of a domain and its next bias pass
- * but its own bodies: a worker does both while the rows are in its cache. In both, contacts with
- * static bodies have the last word. Where something bounces, or has lost a load, the sub-step
- * begins with work on all of the scene, and the passes are apart.
+ * but its own bodies: a worker does both while the rows are in its cache, and right before them
+ * renews levers, unless joints look at rows in between. In both, contacts with static bodies have
+ * the last word. Where something bounces, or has lost a load, the sub-step begins with work on all
+ * of the scene, and the passes are apart.
  *
  * <p>Simulation thread, but for the blocks.
  */
@@ -159,10 +160,10 @@ final class Lockstep {
             if (joints.any()) {
                 joints.place(jobs);
                 jobs.run(lookBack, bodyBlocks);
-            }
-            if (joints.any() && renews) {
-                colours(renewRows, colouring.firstContact[base], jobs);
-                jobs.run(renewWithin, domains);
+                if (renews) {
+                    colours(renewRows, colouring.firstContact[base], jobs);
+                    jobs.run(renewWithin, domains);
+                }
             }
             joints.turn(jobs);
             colours(relax, jobs);
