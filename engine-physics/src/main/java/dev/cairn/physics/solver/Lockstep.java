@@ -477,6 +477,7 @@ final class Lockstep {
     }
 
     private void renew(int first, int end, int ofSubstep, int worker) {
+        assert ofSubstep < pace.count : ofSubstep;
         passes.renewRows(pace, ofSubstep, first, end, locals[worker]);
     }
 

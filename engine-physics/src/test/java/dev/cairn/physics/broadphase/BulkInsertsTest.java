@@ -74,6 +74,7 @@ final class BulkInsertsTest {
             inserts.add(box, 0, i);
         }
         inserts.run();
+        assertEquals(899, tree.unions(), "one box made for each inner node: built at once");
         tree.validate();
         // each side has a quarter at least: log(900) / log(4/3)
         assertTrue(tree.height() <= 24, () -> "height " + tree.height());
