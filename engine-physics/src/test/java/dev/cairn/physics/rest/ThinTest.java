@@ -7,10 +7,12 @@ import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
 
 import org.joml.Quaterniond;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.Random;
@@ -45,6 +47,45 @@ class ThinTest {
                 assertTrue(card.isAsleep(), "seed " + seed);
                 double overlap = Overlap.deepest(world) / halfHeight;
                 assertTrue(overlap < 0.05, () -> "overlap over half the height: " + overlap);
+            }
+        }
+    }
+
+    /** The deepest point of a rim runs around it: discs swayed for ever, and sank in by that. */
+    @ParameterizedTest
+    @CsvSource({"12, false", "25, false", "25, true", "60, false", "60, true"})
+    void aCoinComesToRestOnTheFloorAndNotInIt(double radiusOverHalfHeight, boolean onSlab) {
+        for (int seed = 0; seed < 8; seed++) {
+            Random random = new Random(seed);
+            Material material = new Material(0.5, 0, 1000);
+            try (PhysicsWorld world = PhysicsWorld.builder().workers(1).sleeping(false).build()) {
+                Body floor =
+                        onSlab
+                                ? Body.fixed().shape(Box.ofHalfExtents(30, 1, 30)).at(0.3, -1, 0.2)
+                                : Body.fixed().shape(HalfSpace.of());
+                world.add(floor.material(material));
+                double radius = 0.005 * StrictMath.pow(10, random.nextDouble());
+                double halfHeight = radius / radiusOverHalfHeight;
+                Quaterniond turn =
+                        new Quaterniond()
+                                .rotateY(6 * random.nextDouble())
+                                .rotateX(0.2 * random.nextGaussian())
+                                .rotateZ(0.2 * random.nextGaussian());
+                BodyRef coin =
+                        world.add(
+                                Body.dynamic()
+                                        .shape(Cylinder.of(radius, halfHeight))
+                                        .at(0, 2 * radius, 0)
+                                        .rotation(turn)
+                                        .material(material));
+                for (int tick = 0; tick < 240; tick++) {
+                    world.step(1.0 / 60);
+                }
+                String which = "seed " + seed;
+                double speed = coin.velocity().length() + radius * coin.angularVelocity().length();
+                assertTrue(speed < 1e-3 * radius, () -> which + ", speed " + speed);
+                double overlap = Overlap.deepest(world) / halfHeight;
+                assertTrue(overlap < 0.05, () -> which + ", overlap over half height " + overlap);
             }
         }
     }
