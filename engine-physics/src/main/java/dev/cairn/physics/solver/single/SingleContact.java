@@ -5,7 +5,6 @@ import dev.cairn.physics.solver.kernel.CommonStep;
 import dev.cairn.physics.solver.kernel.RollingFriction;
 import dev.cairn.physics.solver.kernel.RowArithmetic;
 import dev.cairn.physics.solver.kernel.ScalarNormals;
-import dev.cairn.physics.solver.kernel.ScalarSweep;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.RollingRows;
 import dev.cairn.physics.solver.row.Scratch;
@@ -63,10 +62,19 @@ final class SingleContact {
         }
         // without it normals agree soon, and how four of them share a load is not for a leap to say
         boolean hasFriction = rows.get(rows.base(place) + ConstraintRows.FRICTION * rows.lanes) > 0;
+        // what pressed in the bias pass, and nothing in the relax pass: friction has lifted it
+        boolean isLost =
+                body[SolverBodies.offset(i) + SolverBodies.LOADED] != 0
+                        && RowArithmetic.sum(
+                                        rows.doubles,
+                                        rows.base(place),
+                                        rows.lanes,
+                                        rows.points(place))
+                                == 0;
         mixing.begin();
         for (int k = 0; k < sub.lone; k++) {
             mixing.start(rows, place, rolling, at);
-            double change = again(rows, body, sub, place, scratch.doubles);
+            double change = again(rows, body, sub, place, isLost, scratch.doubles);
             if (rolling.has(at)) {
                 change = Math.max(change, RollingFriction.row(rows, place, body, rolling, at));
             }
@@ -117,9 +125,13 @@ final class SingleContact {
         s.state[o + SolverBodies.LOADED] = RowArithmetic.sum(d, r, rows.lanes, n) > 0 ? 1 : 0;
     }
 
-    /** One more sweep of the relax pass over a row; returns the largest change of an impulse. */
+    /**
+     * One more sweep of the relax pass over a row; returns the largest change of an impulse.
+     *
+     * @param all whether points that do not press may begin to
+     */
     private static double again(
-            ConstraintRows rows, double[] body, SubStep sub, int j, double[] st) {
+            ConstraintRows rows, double[] body, SubStep sub, int j, boolean all, double[] st) {
         double[] d = rows.doubles;
         int lanes = rows.lanes;
         int l = j * ConstraintRows.LINK;
@@ -127,7 +139,12 @@ final class SingleContact {
         int b = rows.link[l + 1];
         int n = rows.link[l + ConstraintRows.COUNT];
         int o = rows.base(j);
-        ScalarSweep.hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, CommonStep.HARD, st);
+        if (all) {
+            ScalarNormals.hardenAll(d, o, lanes, n, sub, st);
+        } else {
+            ScalarNormals.harden(d, o, lanes, n, sub, st);
+        }
+        ScalarNormals.sweep(d, o, lanes, body, a, b, n, sub.sweeps, CommonStep.HARD, st);
         double worst = 0;
         for (int p = 0; p < n; p++) {
             double change = st[Scratch.CHANGE + p];

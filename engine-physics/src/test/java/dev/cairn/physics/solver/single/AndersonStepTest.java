@@ -64,14 +64,14 @@ class AndersonStepTest {
     }
 
     /** What is left of the way to the end along each direction, after a sweep. */
-    private void sweep() {
+    private void sweep(double... shares) {
         for (int k = 0; k < 2; k++) {
             double off = 0;
             for (int i = 0; i < SIZE; i++) {
                 off += directions[k][i] * (row[at(i)] - end[i]);
             }
             for (int i = 0; i < SIZE; i++) {
-                row[at(i)] += (SHARES[k] - 1) * off * directions[k][i];
+                row[at(i)] += (shares[k] - 1) * off * directions[k][i];
             }
         }
     }
@@ -91,7 +91,7 @@ class AndersonStepTest {
         mixing.begin();
         for (int k = 0; k < 3; k++) {
             mixing.start(rows, 0, rows.rolling, 0);
-            sweep();
+            sweep(SHARES);
             assertTrue(k == 2 || error() > 1e-3, "there too early, sweep " + k);
             mixing.leap(rows, 0, rows.rolling, 0, body);
         }
@@ -111,7 +111,7 @@ class AndersonStepTest {
         }
         for (int k = 0; k < 3; k++) {
             mixing.start(rows, 0, rows.rolling, 0);
-            sweep();
+            sweep(SHARES);
             for (int i = 0; i < SIZE; i++) {
                 given[i] -= row[at(i)];
             }
@@ -144,13 +144,13 @@ class AndersonStepTest {
         return in(unknown < 4 ? ConstraintRows.SUM + unknown : ConstraintRows.TOTAL + unknown - 4);
     }
 
-    /** Where sweeps lead away nothing is leapt. */
+    /** Where one sweep leads away nothing is leapt. */
     @Test
-    void nothingIsLeaptWhereSweepsLeadAway() {
+    void nothingIsLeaptWhereASweepLeadsAway() {
         begin();
         AndersonStep mixing = new AndersonStep();
         mixing.begin();
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 2; k++) {
             mixing.start(rows, 0, rows.rolling, 0);
             for (int i = 0; i < SIZE; i++) {
                 row[at(i)] += (k + 1) * 0.1;
@@ -161,5 +161,20 @@ class AndersonStepTest {
                 assertEquals(before[i], row[i], 0.0, "field " + i + ", sweep " + k);
             }
         }
+    }
+
+    /** Each sweep ends 1.2 times as far beyond the end as it began before it. */
+    @Test
+    void sweepsThatLeadAwayAreTurnedBack() {
+        begin();
+        AndersonStep mixing = new AndersonStep();
+        mixing.begin();
+        for (int k = 0; k < 3; k++) {
+            mixing.start(rows, 0, rows.rolling, 0);
+            sweep(-1.2, 0);
+            assertTrue(error() > 0.1, "there too early, sweep " + k);
+            mixing.leap(rows, 0, rows.rolling, 0, body);
+        }
+        assertEquals(0, error(), 1e-12, "where the third sweep ends");
     }
 }
