@@ -108,8 +108,7 @@ public final class SingleBody {
                 guide, rows.rolling, bodies.state, sub, gain, place, row, i, mixing, scratch);
         Motion.keep(tick.bodies, bodies, i);
         EnergyBound.end(tick.bodies, bodies, i, guide, rows.rolling, place, row);
-        TrapezoidalCorrection.end(
-                tick.bodies, bodies, i, guide, rows.rolling, place, row, sub.seconds);
+        TrapezoidalCorrection.end(tick.bodies, bodies, i, guide, rows.rolling, place, row, sub);
         if (MotionRecord.hasLanded(bodies, i)) {
             // what a blow has given is no load that goes on
             guide.forget(place);

@@ -12,6 +12,7 @@ import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.kernel.RowArithmetic;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.RollingRows;
+import dev.cairn.physics.solver.row.SubStep;
 
 /**
  * Guided bodies, whose only contact is with a static body: at the end of a sub-step they are put
@@ -73,8 +74,9 @@ final class TrapezoidalCorrection {
             RollingRows rolling,
             int place,
             int at,
-            double h) {
+            SubStep sub) {
         double[] v = s.state;
+        double h = sub.seconds;
         int o = SolverBodies.offset(i);
         if (v[o + LOADED] == 0) {
             return;
@@ -94,7 +96,7 @@ final class TrapezoidalCorrection {
         double y = span * (before * d[g + 1] + after * v[o + V + 1]) - h * d[g + 4];
         double z = span * (before * d[g + 2] + after * v[o + V + 2]) - h * d[g + 5];
         double n = x * nx + y * ny + z * nz;
-        n += rock(b, s, i, rows, place, h, before);
+        n += rock(b, s, i, rows, place, sub, before);
         v[o + P] += x - n * nx;
         v[o + P + 1] += y - n * ny;
         v[o + P + 2] += z - n * nz;
@@ -146,9 +148,10 @@ final class TrapezoidalCorrection {
             int i,
             ConstraintRows rows,
             int place,
-            double h,
+            SubStep sub,
             double before) {
         double[] d = s.motion;
+        double h = sub.seconds;
         int g = MotionRecord.STRIDE * i;
         int o = SolverBodies.offset(i);
         double after = 1 - before;
@@ -173,7 +176,7 @@ final class TrapezoidalCorrection {
                 rows.link[place * ConstraintRows.LINK] == o
                         ? ConstraintRows.ARM_A
                         : ConstraintRows.ARM_B;
-        if (isStill(s, i, STILL * turns / (h * h)) && lowersDeepest(rows, place, arm, w, g)) {
+        if (isStill(s, i, STILL * turns / (h * h)) && lowersDeepest(rows, place, arm, w, g, sub)) {
             return 0;
         }
         Rotation.turn(b, i, x, y, z);
@@ -212,11 +215,11 @@ final class TrapezoidalCorrection {
     }
 
     /**
-     * Whether a turn, weighted, at {@code turn[g]}, lowers the point that overlaps most: then it is
-     * the turn of a push that it takes back.
+     * Whether a turn, weighted, at {@code turn[g]}, lowers the point that overlaps most, beyond the
+     * sag of its load: then it is the turn of a push that it takes back.
      */
     private static boolean lowersDeepest(
-            ConstraintRows rows, int place, int arm, double[] turn, int g) {
+            ConstraintRows rows, int place, int arm, double[] turn, int g, SubStep sub) {
         double deepest = 0;
         double change = 0;
         double side = arm == ConstraintRows.ARM_A ? -1 : 1;
@@ -224,7 +227,11 @@ final class TrapezoidalCorrection {
             int q =
                     rows.base(place)
                             + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * rows.lanes;
-            double gap = rows.doubles[q + ConstraintRows.SEPARATION * rows.lanes];
+            double stiffness =
+                    rows.doubles[q + ConstraintRows.MASS * rows.lanes] * sub.stiffness(true);
+            double load = rows.doubles[q + ConstraintRows.IMPULSE * rows.lanes];
+            double sag = stiffness > 0 ? load / stiffness : 0;
+            double gap = rows.doubles[q + ConstraintRows.SEPARATION * rows.lanes] + sag;
             if (gap < deepest) {
                 deepest = gap;
                 change =
