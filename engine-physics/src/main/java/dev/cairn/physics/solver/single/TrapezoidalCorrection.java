@@ -42,6 +42,9 @@ final class TrapezoidalCorrection {
     /** Share of the deepest overlap that counts as pushed out. */
     private static final double LEAST_PUSH = 1e-6;
 
+    /** Over the inner radius: what overlaps so far beyond the sag of its load is deep. */
+    private static final double DEEP = 0.05;
+
     /**
      * Square of a body's turn in a sub-step, rad, beyond which the mean of two velocities is not
      * the motion between them: a rod that lands on its tip begins to turn within the sub-step, and
@@ -176,7 +179,8 @@ final class TrapezoidalCorrection {
                 rows.link[place * ConstraintRows.LINK] == o
                         ? ConstraintRows.ARM_A
                         : ConstraintRows.ARM_B;
-        if (isStill(s, i, STILL * turns / (h * h)) && lowersDeepest(rows, place, arm, w, g, sub)) {
+        if (isStill(s, i, STILL * turns / (h * h))
+                && lowersDeepest(b, i, rows, place, arm, w, g, sub)) {
             return 0;
         }
         Rotation.turn(b, i, x, y, z);
@@ -215,32 +219,46 @@ final class TrapezoidalCorrection {
     }
 
     /**
-     * Whether a turn, weighted, at {@code turn[g]}, lowers the point that overlaps most, beyond the
-     * sag of its load: then it is the turn of a push that it takes back.
+     * Whether a turn, weighted, at {@code turn[g]}, is that of a push which it takes back: it
+     * lowers the point that overlaps most, or, by {@link #DEEP}, most beyond the sag of its load. A
+     * plate may stand on three corners of which one bears a fiftieth of its weight, and that one is
+     * deep.
      */
     private static boolean lowersDeepest(
-            ConstraintRows rows, int place, int arm, double[] turn, int g, SubStep sub) {
+            BodyStore b,
+            int i,
+            ConstraintRows rows,
+            int place,
+            int arm,
+            double[] turn,
+            int g,
+            SubStep sub) {
         double deepest = 0;
         double change = 0;
+        double beyond = -DEEP * b.innerRadius[i];
+        double changeBeyond = 0;
         double side = arm == ConstraintRows.ARM_A ? -1 : 1;
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
         for (int p = 0; p < rows.points(place); p++) {
             int q =
                     rows.base(place)
-                            + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * rows.lanes;
-            double stiffness =
-                    rows.doubles[q + ConstraintRows.MASS * rows.lanes] * sub.stiffness(true);
-            double load = rows.doubles[q + ConstraintRows.IMPULSE * rows.lanes];
-            double sag = stiffness > 0 ? load / stiffness : 0;
-            double gap = rows.doubles[q + ConstraintRows.SEPARATION * rows.lanes] + sag;
+                            + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * lanes;
+            double gap = d[q + ConstraintRows.SEPARATION * lanes];
+            double stiffness = d[q + ConstraintRows.MASS * lanes] * sub.stiffness(true);
+            double load = d[q + ConstraintRows.IMPULSE * lanes];
+            double excess = gap + (stiffness > 0 ? load / stiffness : 0);
+            double rise = side * RowArithmetic.dot(d, q + arm * lanes, lanes, turn, g);
             if (gap < deepest) {
                 deepest = gap;
-                change =
-                        side
-                                * RowArithmetic.dot(
-                                        rows.doubles, q + arm * rows.lanes, rows.lanes, turn, g);
+                change = rise;
+            }
+            if (excess < beyond) {
+                beyond = excess;
+                changeBeyond = rise;
             }
         }
-        return change < LEAST_PUSH * deepest;
+        return change < LEAST_PUSH * deepest || changeBeyond < LEAST_PUSH * beyond;
     }
 
     /**
