@@ -9,18 +9,17 @@ import dev.cairn.physics.narrowphase.pair.Pair;
  * normal, with the separation at each: into a {@link Clipper}, in the order of their angle.
  *
  * <p>A rim has no corners, so it gets four, along the world's axes: they stay where they are when
- * the body spins about its own axis. The deepest point of the rim is a fifth where it is deeper by
- * more than {@link #FLUSH}; {@link Reduction} keeps the four of the last tick until it is really
- * deeper.
+ * the body spins about its own axis. The deepest point of the rim is a fifth, unless the disc lies
+ * {@link #FLUSH}; {@link Reduction} keeps the four of the last tick until it is really deeper.
  */
 public final class Overlay {
     /**
-     * How much deeper than the four the deepest point of a rim may be, over the disc's radius,
-     * before it is a corner itself. It runs around the rim as the disc sways, so that its contact
-     * forgets its load: a coin that lies swayed for ever by what its soft contacts sag, 0.07 mm,
-     * and sank into the floor by that.
+     * Sine of the tilt up to which a disc lies flat: then its deepest point, which is deeper than
+     * the four by less than 0.3 of that and the radius, is no corner. It runs around the rim as the
+     * disc sways, so that its contact forgets its load: a coin that lies swayed for ever by what
+     * its soft contacts sag, 0.07 mm, and sank into the floor by that.
      */
-    private static final double FLUSH = 5e-4;
+    private static final double FLUSH = 1.7e-3;
 
     public final Clipper out = new Clipper();
 
@@ -246,9 +245,7 @@ public final class Overlay {
             y = dot * disc.ny - my;
             z = dot * disc.nz - mz;
             double length = Math.sqrt(x * x + y * y + z * z);
-            double alongU = Math.abs(x * ux + y * uy + z * uz);
-            double alongV = Math.abs(x * vx + y * vy + z * vz);
-            if (length - Math.max(alongU, alongV) <= FLUSH) {
+            if (length <= FLUSH) {
                 return false;
             }
             x /= length;
