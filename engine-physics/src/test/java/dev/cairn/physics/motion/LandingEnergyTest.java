@@ -65,7 +65,7 @@ final class LandingEnergyTest {
 
     /**
      * A corner that trails behind a cube which slides fast is lifted by its friction, which goes
-     * with what presses it: the two did not agree, and one cube in ten slid on through the floor.
+     * with its normal impulse: the two did not agree, and three of the cubes gained up to 0.9 %.
      */
     @Test
     void aRoughFloorGivesNoEnergyToCubesThatAreThrown() {
@@ -80,14 +80,7 @@ final class LandingEnergyTest {
 
     private static double thrown(SplittableRandom random, double friction) {
         Material surface = Material.DEFAULT.withFriction(friction).withRestitution(0);
-        double most = 0;
-        try (PhysicsWorld world =
-                PhysicsWorld.builder()
-                        .gravity(0, -G, 0)
-                        .workers(1)
-                        .settings(PhysicsSettings.DEFAULT.withSleeping(false).withLanes(1))
-                        .build()) {
-            world.add(Body.fixed().shape(HalfSpace.of()).material(surface));
+        try (PhysicsWorld world = floor(surface, 4)) {
             BodyRef body =
                     world.add(
                             Body.dynamic()
@@ -101,11 +94,32 @@ final class LandingEnergyTest {
                                             random.nextDouble() - 0.5,
                                             2 * Math.PI * random.nextDouble())
                                     .velocity(15 * random.nextDouble(), -2, 0));
-            double first = energy(body);
-            for (int t = 0; t < TICKS; t++) {
-                world.step(1.0 / 60);
-                most = Math.max(most, energy(body) / first - 1);
-            }
+            return most(world, body);
+        }
+    }
+
+    private static PhysicsWorld floor(Material surface, int substeps) {
+        PhysicsWorld world =
+                PhysicsWorld.builder()
+                        .gravity(0, -G, 0)
+                        .workers(1)
+                        .settings(
+                                PhysicsSettings.DEFAULT
+                                        .withSleeping(false)
+                                        .withLanes(1)
+                                        .withSubsteps(substeps))
+                        .build();
+        world.add(Body.fixed().shape(HalfSpace.of()).material(surface));
+        return world;
+    }
+
+    /** Most energy after a tick over the first, less one. */
+    private static double most(PhysicsWorld world, BodyRef body) {
+        double first = energy(body);
+        double most = 0;
+        for (int t = 0; t < TICKS; t++) {
+            world.step(1.0 / 60);
+            most = Math.max(most, energy(body) / first - 1);
         }
         return most;
     }
@@ -137,25 +151,13 @@ final class LandingEnergyTest {
         }
     }
 
-    /** Most energy after a tick over the first, less one. */
     private static double gain(
             SplittableRandom random, Shape shape, double size, int substeps, double friction) {
         double drop = size * (2 + power(random, 0, 2));
         double spin = random.nextBoolean() ? 0 : power(random, 0, 2);
         double speed = random.nextBoolean() ? 0 : power(random, 0, 1.3);
         Material surface = Material.DEFAULT.withFriction(friction).withRestitution(0);
-        double most = 0;
-        try (PhysicsWorld world =
-                PhysicsWorld.builder()
-                        .gravity(0, -G, 0)
-                        .workers(1)
-                        .settings(
-                                PhysicsSettings.DEFAULT
-                                        .withSleeping(false)
-                                        .withLanes(1)
-                                        .withSubsteps(substeps))
-                        .build()) {
-            world.add(Body.fixed().shape(HalfSpace.of()).material(surface));
+        try (PhysicsWorld world = floor(surface, substeps)) {
             BodyRef body =
                     world.add(
                             Body.dynamic()
@@ -173,13 +175,8 @@ final class LandingEnergyTest {
                                             spin * (2 * random.nextDouble() - 1),
                                             spin * (2 * random.nextDouble() - 1))
                                     .velocity(speed, 0, 0));
-            double first = energy(body);
-            for (int t = 0; t < TICKS; t++) {
-                world.step(1.0 / 60);
-                most = Math.max(most, energy(body) / first - 1);
-            }
+            return most(world, body);
         }
-        return most;
     }
 
     private static double energy(BodyRef body) {

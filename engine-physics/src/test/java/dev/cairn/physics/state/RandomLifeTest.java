@@ -78,17 +78,18 @@ class RandomLifeTest {
      * Worlds in which joints that contradict each other, or contacts, gave somebody 1e4 to 1e10 m/s
      * by the impulses that they began a sub-step with, or that stopped limbs at their limits. Users
      * give 9 m/s, gravity 34 more; the bound leaves room for what slides out on something that
-     * turns. Without the bound of contacts solved with joints 374 and 425 fail. Seed 7 is not held:
-     * its joints are open by metres, and in 30 of 40 runs that differ by a rounding (39 since lone
-     * contacts agree in more cases) somebody of 11 g gets 5e3 to 1e5 m/s.
+     * turns. Without the bound of contacts solved with joints 374 and 425 fail. Seed 7 is held
+     * until tick 188: its joints are open by metres then, and in 30 of 40 runs that differ by a
+     * rounding (39 since lone contacts agree in more cases) somebody of 11 g gets 5e3 to 1e5 m/s at
+     * tick 189.
      */
     @Test
     void nobodyIsThrown() {
-        for (long seed : new long[] {10, 37, 47, 49, 60, 71, 191, 320, 374, 425}) {
+        for (long seed : new long[] {7, 10, 37, 47, 49, 60, 71, 191, 320, 374, 425}) {
             try (PhysicsWorld world = world(1, 1)) {
                 RandomUser user = new RandomUser(world, seed);
                 user.begin(seed);
-                for (int t = 0; t < 200; t++) {
+                for (int t = 0; t < (seed == 7 ? 189 : 200); t++) {
                     user.act(seed, t);
                     world.step(RandomUser.step(seed, t));
                     for (BodyRef body : world.bodies()) {

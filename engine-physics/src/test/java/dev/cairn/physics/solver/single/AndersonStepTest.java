@@ -98,6 +98,25 @@ class AndersonStepTest {
         assertEquals(0, error(), 1e-12, "where three sweeps end");
     }
 
+    /** What does not press at all has no say in where the others lead. */
+    @Test
+    void aPointThatIsOpenAllAlongDoesNotMatter() {
+        for (double[] direction : directions) {
+            direction[3] = 0;
+        }
+        begin();
+        end[3] = 0;
+        row[at(3)] = 0;
+        AndersonStep mixing = new AndersonStep();
+        mixing.begin();
+        for (int k = 0; k < 3; k++) {
+            mixing.start(rows, 0, rows.rolling, 0);
+            sweep(SHARES);
+            mixing.leap(rows, 0, rows.rolling, 0, body);
+        }
+        assertEquals(0, error(), 1e-12, "where three sweeps end");
+    }
+
     /** A body is pushed by what its impulses became, J^T l, and the sums of the tick know it. */
     @Test
     void whatIsLeaptIsGivenToTheBody() {
