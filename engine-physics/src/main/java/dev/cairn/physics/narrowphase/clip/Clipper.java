@@ -45,9 +45,6 @@ public final class Clipper {
     private boolean flip;
     private int last;
 
-    /** How the sides of a parallelogram are ordered, see {@link #slot}; -1 of other faces. */
-    private int turn;
-
     private double onPlane, stillOnPlane;
     private double vx, vy, vz;
     private Polyhedron reference = Polyhedron.of(dev.cairn.physics.shape.Box.cubeOfHalfExtent(1));
@@ -57,6 +54,7 @@ public final class Clipper {
 
     private Polyhedron other = reference;
     private final IncidentPlane plane = new IncidentPlane();
+    private final SideOrder order = new SideOrder();
     private Pair pair = Pair.NONE;
 
     /**
@@ -72,83 +70,81 @@ public final class Clipper {
         reference = flip ? p.b : p.a;
         other = flip ? p.a : p.b;
         pair = p;
+        leftOut = Double.POSITIVE_INFINITY;
+        clip(face, incident, margin, 0);
+    }
+
+    /**
+     * Clips a face against a reference face of the same shapes, up to a height; what is left of it
+     * comes after the other corners.
+     */
+    void clipMore(int face, int incident, double height, double margin) {
+        double beyond = leftOut;
+        clip(face, incident, Math.min(margin, height + 0x1p-40 * pair.scale), count);
+        leftOut = height > margin ? Math.min(beyond, height) : beyond;
+    }
+
+    /** Clips one face; what is left of it comes after so many corners that are here already. */
+    private void clip(int face, int incident, double margin, int before) {
         incidentFace = incident;
         plane.forget();
         int begin = reference.faceBegin(face);
         int end = reference.faceBegin(face + 1);
         int first = other.faceBegin(incident);
         int corners = other.faceBegin(incident + 1) - first;
-        int need = corners + 2 * (end - begin) + 2;
+        int need = before + corners + 2 * (end - begin) + 2;
         if (need > x.length) {
             grow(need);
         }
         int k = 0;
         incidentBegin = first;
         incidentCorners = corners;
-        orderSides(begin, end - begin);
+        order.set(reference, begin, end - begin);
         if (corners == 3) {
-            k = triangle(p, first, face, begin, end - begin);
+            k = triangle(pair, first, face, begin, end - begin);
         } else {
-            load(p, first, corners);
+            load(pair, first, corners);
         }
         for (; k < end - begin && count > 0; k++) {
-            cut(slot(begin, k), face);
+            cut(order.slot(k), face);
         }
-        within(face, margin);
-    }
-
-    /**
-     * Sides cut in the order of the loop; of a parallelogram by pairs, and first the pair that
-     * looks more along x, or else along y. Soft corners make the order matter, and of a box a
-     * mirror shares this one.
-     */
-    private void orderSides(int begin, int sides) {
-        Polyhedron h = reference;
-        turn = -1;
-        if (sides == 4 && areOpposite(begin) && areOpposite(begin + 1)) {
-            double x = Math.abs(h.sideX(begin)) - Math.abs(h.sideX(begin + 1));
-            double y = Math.abs(h.sideY(begin)) - Math.abs(h.sideY(begin + 1));
-            turn = x > 0 || (x == 0 && y > 0) ? 0 : 1;
-        }
-    }
-
-    private boolean areOpposite(int slot) {
-        Polyhedron h = reference;
-        return h.sideX(slot) == -h.sideX(slot + 2)
-                && h.sideY(slot) == -h.sideY(slot + 2)
-                && h.sideZ(slot) == -h.sideZ(slot + 2);
-    }
-
-    /** The slot of the side that cuts after so many others. */
-    private int slot(int begin, int k) {
-        return begin + (turn < 0 ? k : ((k & 1) << 1 | k >> 1) ^ turn);
+        within(face, margin, before);
     }
 
     /** Keeps what is up to the margin from the face. */
-    private void within(int face, double margin) {
+    private void within(int face, double margin, int before) {
         double nx = reference.normalX(face);
         double ny = reference.normalY(face);
         double nz = reference.normalZ(face);
         double offset = reference.offset(face);
-        int kept = 0;
-        leftOut = Double.POSITIVE_INFINITY;
+        int kept = before;
         double[] w = whole;
         for (int i = 0; i < count; i++) {
             double px = w[4 * i];
             double py = w[4 * i + 1];
             double pz = w[4 * i + 2];
             double s = nx * px + ny * py + nz * pz - offset;
+            int name = (int) (names[i] >>> 32);
             if (s > margin) {
                 leftOut = s < leftOut ? s : leftOut;
-            } else {
+            } else if (before == 0 || !has(name, before)) {
                 x[kept] = px;
                 y[kept] = py;
                 z[kept] = pz;
-                feature[kept] = (int) (names[i] >>> 32);
+                feature[kept] = name;
                 separation[kept++] = s;
             }
         }
         count = kept;
+    }
+
+    /** Whether one of so many corners has a name. */
+    boolean has(int name, int before) {
+        int i = 0;
+        while (i < before && feature[i] != name) {
+            i++;
+        }
+        return i < before;
     }
 
     private void load(Pair p, int begin, int corners) {
@@ -212,7 +208,7 @@ public final class Clipper {
         double[] w = whole;
         long[] n = names;
         for (int k = 0; k < sides; k++) {
-            int slot = slot(begin, k);
+            int slot = order.slot(k);
             double sx = h.sideX(slot);
             double sy = h.sideY(slot);
             double sz = h.sideZ(slot);

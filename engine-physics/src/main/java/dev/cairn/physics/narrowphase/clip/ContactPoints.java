@@ -24,6 +24,8 @@ public final class ContactPoints {
     private final Gjk gjk;
     public final Clipper clipper = new Clipper();
     private final Reduction reduction = new Reduction();
+    private final CornerOrder order = new CornerOrder();
+    private final LevelReach level = new LevelReach();
 
     /** Unit axis from A to B, in A's frame. */
     public double axisX, axisY, axisZ;
@@ -31,6 +33,7 @@ public final class ContactPoints {
     /** The vertex of the last face contact whose face was clipped. */
     public int incidentVertex, incidentFace;
 
+    private double wx, wy, wz;
     private double tx, ty, tz;
 
     public ContactPoints(Pair pair, Axes axes, Gjk gjk) {
@@ -109,9 +112,19 @@ public final class ContactPoints {
         incidentVertex = vertex;
         incidentFace = Axes.faceToward(flip ? pair.a : pair.b, vertex, tx, ty, tz);
         clipper.clip(pair, flip, face, incidentFace, margin, last);
+        boolean uneven = clipLevel(flip, reference, face, margin);
+        if (uneven) {
+            order.sort(clipper, nx, ny, nz, margin);
+        }
         boolean many = clipper.count > Manifold.POINTS;
         double mean = many ? Reduction.meanDistance(clipper) : 0;
-        reduction.reduce(clipper, nx, ny, nz, 0.01 * hysteresis, hysteresis, last);
+        double tie = 0.01 * hysteresis;
+        if (uneven && many) {
+            placeWeight(flip);
+            reduction.reduceUneven(clipper, nx, ny, nz, tie, hysteresis, last, wx, wy, wz);
+        } else {
+            reduction.reduce(clipper, nx, ny, nz, tie, hysteresis, last);
+        }
         out.patch = many ? Math.rint(GRAINS * mean / Reduction.meanOfCorners(clipper)) / GRAINS : 0;
         for (int i = 0; i < clipper.count; i++) {
             double half = clipper.separation[i] / 2;
@@ -128,6 +141,34 @@ public final class ContactPoints {
             point(x, y, z, clipper.separation[i], clipper.feature[i], out);
         }
         writeNormal(out);
+    }
+
+    /**
+     * Clips the faces, too, that touch a flat reference face beside the incident one, see {@link
+     * LevelReach}. A ground of several level faces is left alone: two ridges that cross are what
+     * bears then, and four points can't hold that and what lies around it.
+     *
+     * @return whether that gave any corners
+     */
+    private boolean clipLevel(boolean flip, Polyhedron reference, int face, double margin) {
+        if (reference.level.exist(face) || !level.find(pair, !flip, incidentFace, face)) {
+            return false;
+        }
+        int own = clipper.count;
+        for (int i = 0; i < level.count; i++) {
+            clipper.clipMore(face, level.face[i], level.height, margin);
+        }
+        return clipper.count > own;
+    }
+
+    /** Puts the centre of mass of the smaller shape, in the reference's frame, into w. */
+    private void placeWeight(boolean flip) {
+        Pair p = pair;
+        boolean ofB = p.b.outerRadius() < p.a.outerRadius();
+        boolean other = ofB != flip;
+        wx = !other ? 0 : flip ? -(p.r00 * p.dx + p.r10 * p.dy + p.r20 * p.dz) : p.dx;
+        wy = !other ? 0 : flip ? -(p.r01 * p.dx + p.r11 * p.dy + p.r21 * p.dz) : p.dy;
+        wz = !other ? 0 : flip ? -(p.r02 * p.dx + p.r12 * p.dy + p.r22 * p.dz) : p.dz;
     }
 
     /** A normal of the reference, reversed, in the other shape's frame. */

@@ -30,6 +30,7 @@ public final class Overlay {
     private int last;
     private double ux, uy, uz, vx, vy, vz;
     private final CornerOrder order = new CornerOrder();
+    private final LevelReach level = new LevelReach();
 
     /** Sets the reference, whose flat's normal the separations are along. */
     public void begin(Pair p, Patch reference, Patch incident, int lastNames) {
@@ -268,11 +269,18 @@ public final class Overlay {
         }
     }
 
-    /** Both ends of a line, or all corners of a face, on a plane without end. */
+    /**
+     * Both ends of a line, or all corners of a face and of those level with it, on a plane without
+     * end; a polyhedron is the first shape.
+     */
     public void restOnPlane() {
         if (inc.flatter) {
             for (int i = 0; i < inc.count; i++) {
                 putFromIncident(inc.x[i], inc.y[i], inc.z[i], inc.kind | inc.vertex[i]);
+            }
+            double offset = nx * ref.ox + ny * ref.oy + nz * ref.oz;
+            if (level.find(inc.hull, inc.face, nx, ny, nz, offset, pair.inner)) {
+                level.add(out, inc.kind);
             }
         } else {
             putFromIncident(inc.px, inc.py, inc.pz, inc.nameP);

@@ -5,6 +5,7 @@ import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.narrowphase.pair.SolidOfRevolution;
+import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import java.util.Arrays;
@@ -41,6 +42,11 @@ public final class Patch {
 
     /** The first name of the disc's rim. */
     int rim;
+
+    /** Whose face the flat is, and which. */
+    Polyhedron hull = Polyhedron.of(Box.cubeOfHalfExtent(1));
+
+    int face;
 
     /** Corners of a face in A's frame, counter-clockwise seen from outside. */
     int count;
@@ -125,7 +131,8 @@ public final class Patch {
 
     private void polyhedron(Polyhedron h, double dx, double dy, double dz) {
         int v = h.support(dx, dy, dz);
-        int face = Axes.faceToward(h, v, dx, dy, dz);
+        hull = h;
+        face = Axes.faceToward(h, v, dx, dy, dz);
         flat = FACE;
         flatter = true;
         double fx = h.normalX(face);

@@ -83,7 +83,8 @@ public final class PlaneContact {
                 overlay.restOnPlane();
             }
             overlay.finish(margin);
-            reduction.reduce(overlay.out, nx, ny, nz, 0.01 * hysteresis, hysteresis, last);
+            double tie = 0.01 * hysteresis;
+            reduction.reduceUneven(overlay.out, nx, ny, nz, tie, hysteresis, last, 0, 0, 0);
             points.take(overlay.out, nx, ny, nz, out);
             boolean disc = patch.flat == Patch.DISC && patch.flatter;
             out.patch = disc && out.pointCount == Manifold.POINTS ? Patch.DISC_SHARE : 0;

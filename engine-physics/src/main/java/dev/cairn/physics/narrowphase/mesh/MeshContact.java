@@ -3,6 +3,7 @@ package dev.cairn.physics.narrowphase.mesh;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.clip.Clipper;
 import dev.cairn.physics.narrowphase.clip.CornerOrder;
+import dev.cairn.physics.narrowphase.clip.LevelReach;
 import dev.cairn.physics.narrowphase.clip.Overlay;
 import dev.cairn.physics.narrowphase.clip.Patch;
 import dev.cairn.physics.narrowphase.clip.Reduction;
@@ -44,6 +45,7 @@ public final class MeshContact {
     private Shape shape = HalfSpace.of();
     private double tolerance;
     private final Margin margin = new Margin();
+    private final LevelReach level = new LevelReach();
 
     /** The triangle at hand: its unit normal towards the shape. */
     private double nx, ny, nz;
@@ -275,7 +277,7 @@ public final class MeshContact {
             c.addCorners(pair.a, height, ux, uy, uz, margin.ofFace);
             keepOver(g, c);
             if (c.count > 1) {
-                keepFlat(c, ux, uy, uz);
+                keepFlat(c, height, ux, uy, uz);
             }
         }
         noteDeepest(c);
@@ -307,18 +309,14 @@ public final class MeshContact {
         return false;
     }
 
-    /** Of a polyhedron's corners those of the face that looks at the plane, if any is there. */
-    private void keepFlat(Clipper c, double ux, double uy, double uz) {
+    /** Of a polyhedron's corners those that it stands on, if any is there. */
+    private void keepFlat(Clipper c, double height, double ux, double uy, double uz) {
         Polyhedron p = pair.a;
         int face = Axes.faceToward(p, p.support(-ux, -uy, -uz), -ux, -uy, -uz);
+        level.find(p, face, ux, uy, uz, -height, pair.inner);
         int kept = 0;
         for (int i = 0; i < c.count; i++) {
-            int slot = p.faceBegin(face);
-            int end = p.faceBegin(face + 1);
-            while (slot < end && (FeatureIds.VERTEX_B | p.slotVertex(slot)) != c.feature[i]) {
-                slot++;
-            }
-            if (slot < end) {
+            if (level.has(c.feature[i] & ~FeatureIds.VERTEX_B)) {
                 below[kept] = below[i];
                 CornerOrder.move(c, i, kept++);
             }
@@ -425,7 +423,8 @@ public final class MeshContact {
             return;
         }
         double hysteresis = ContactTolerances.HYSTERESIS * pair.inner;
-        reduction.reduce(c, nx, ny, nz, 0.01 * hysteresis, hysteresis, lastNames());
+        double tie = 0.01 * hysteresis;
+        reduction.reduceUneven(c, nx, ny, nz, tie, hysteresis, lastNames(), 0, 0, 0);
         Manifold m = result;
         m.pointCount = 0;
         m.patch = c.count == Manifold.POINTS ? share : 0;

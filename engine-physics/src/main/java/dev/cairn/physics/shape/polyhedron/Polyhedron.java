@@ -42,6 +42,9 @@ public final class Polyhedron {
 
     private final boolean anyUneven;
 
+    /** The faces that lie nearly in the plane of another. */
+    public final LevelFaces level;
+
     /**
      * Assembles the topology from vertices and loops.
      *
@@ -89,6 +92,7 @@ public final class Polyhedron {
         }
         outerRadius = Math.sqrt(outer);
         extremes = Topology.extremes(x, y, z);
+        level = new LevelFaces(this);
     }
 
     private static double[] pack(double[] x, double[] y, double[] z, double[] w) {
