@@ -62,7 +62,11 @@ final class MeetingContact {
             moved = nx * b.movedX + ny * b.movedY + nz * b.movedZ - moved;
             c.setAnchors(q, v[0], v[1], v[2], u[0], u[1], u[2]);
             c.separation[q] = m.separation[k] - moved;
+            // what pressed before is not what will press when they meet
+            c.normalImpulse[q] = 0;
+            c.preload[q] = 0;
         }
+        c.forgetFriction(row);
     }
 
     /** Tells points from the surface's origin, where that is the first, or from its plane again. */

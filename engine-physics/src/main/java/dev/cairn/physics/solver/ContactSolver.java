@@ -267,7 +267,7 @@ public final class ContactSolver {
         for (int c = first; c < last; c++) {
             p.prepare(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
         }
-        boolean renewed = p.findRenewed(head, tail, from, to);
+        boolean renewed = p.findRenewed(sub, head, tail, from, to, own);
         boolean small = batches.isSmall(b);
         if (small) {
             p.lookAtCores(from, to);

@@ -289,7 +289,8 @@ final class Lockstep {
             for (int c = first; c < last; c++) {
                 p.prepare(colouring.kind[c], sweeps(c), pace, start[c], end[c], own);
             }
-            if (p.findRenewed(head, tail, firstPlace(domain), endPlace(domain))) {
+            int from = firstPlace(domain);
+            if (p.findRenewed(pace, head, tail, from, endPlace(domain), own)) {
                 renews = true; // by whoever finds one
             }
         } else {
@@ -447,7 +448,8 @@ final class Lockstep {
     private void findRenewed(int block, int worker) {
         int first = firstPlace(-1);
         int end = first + Blocks.end(block, ROWS_PER_BLOCK, endPlace(-1) - first);
-        if (passes.findRenewed(first + Blocks.begin(block, ROWS_PER_BLOCK), end)) {
+        int begin = first + Blocks.begin(block, ROWS_PER_BLOCK);
+        if (passes.findRenewed(pace, begin, end, locals[worker])) {
             renews = true; // by whoever finds one
         }
     }

@@ -155,17 +155,21 @@ final class Passes {
     }
 
     /** Finds the rows whose levers are renewed in each sub-step; whether there is one. */
-    boolean findRenewed(int from, int to) {
-        return refresh.find(rows, tick.contacts, tick.bodies, tick.weight(), from, to);
+    boolean findRenewed(SubStep sub, int from, int to, WorkerScratch local) {
+        boolean any = refresh.find(rows, tick.contacts, tick.bodies, tick.weight(), from, to);
+        if (any) {
+            refresh.meet(rows, body, tick.bodies, tick.contacts, sub, from, to, local.renew);
+        }
+        return any;
     }
 
     /**
      * The same for all rows of the bodies from {@code head} to {@code tail}, which have no others.
      */
-    boolean findRenewed(int head, int tail, int from, int to) {
+    boolean findRenewed(SubStep sub, int head, int tail, int from, int to, WorkerScratch local) {
         double weight = tick.weight();
         return !refresh.isCalm(tick.bodies, tick.order, head, tail, weight, from, to)
-                && findRenewed(from, to);
+                && findRenewed(sub, from, to, local);
     }
 
     /** Gravity, forces and warm start of sub-step {@code index}. */
@@ -330,7 +334,7 @@ final class Passes {
         if (rows.drags.isUsed) {
             rows.drags.show(rows, from, to);
         }
-        refresh.rows(rows, body, tick.contacts, sub, index, from, to, local.renew);
+        refresh.rows(rows, body, tick.bodies, tick.contacts, sub, index, from, to, local.renew);
         if (rows.drags.isUsed) {
             rows.drags.hide(rows, from, to);
         }

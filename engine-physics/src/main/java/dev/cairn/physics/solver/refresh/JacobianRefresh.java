@@ -1,7 +1,7 @@
 package dev.cairn.physics.solver.refresh;
 
 import static dev.cairn.physics.solver.refresh.RefreshKind.AIMED;
-import static dev.cairn.physics.solver.refresh.RefreshKind.BETWEEN;
+import static dev.cairn.physics.solver.refresh.RefreshKind.APART;
 import static dev.cairn.physics.solver.refresh.RefreshKind.OF_A;
 import static dev.cairn.physics.solver.refresh.RefreshKind.OF_B;
 import static dev.cairn.physics.solver.refresh.RefreshKind.STAYS_A;
@@ -44,7 +44,7 @@ import java.util.Arrays;
  */
 public final class JacobianRefresh {
     /** Speed over {@code sqrt(g r)} up to which levers may age by a tick. */
-    private static final double SLOW = 0.045;
+    static final double SLOW = 0.045;
 
     /** Way in a tick over the outer radius beyond which levers do not age by a tick at all. */
     private static final double FAR = 0.1;
@@ -169,7 +169,7 @@ public final class JacobianRefresh {
                     || (movesA
                             && movesB
                             && c.restitution[source] == 0
-                            && passes(b, i, j, gravity))) {
+                            && RefreshKind.passes(b, i, j, gravity))) {
                 renewed[place] = RefreshKind.of(rows, c, b, turns, place, movesA, movesB);
                 any = true;
                 RefreshRow.keep(c, source, kept, KEPT * place);
@@ -188,6 +188,35 @@ public final class JacobianRefresh {
             }
         }
         return any;
+    }
+
+    /**
+     * Gives rows of bodies that meet within the tick, and so press at points that are apart as it
+     * begins, one point from the first sub-step on; ranges of places, after {@link #find}.
+     */
+    public void meet(
+            ConstraintRows rows,
+            SolverBodies s,
+            BodyStore b,
+            ContactStore c,
+            SubStep sub,
+            int from,
+            int to,
+            RefreshRow row) {
+        for (int j = from; j < to; j++) {
+            int how = renewed[j];
+            if ((how & APART) == 0 || !row.isCold(rows, j)) {
+                continue;
+            }
+            int k = j * KEPT;
+            int source = rows.link[j * LINK + ConstraintRows.SOURCE];
+            double shareA = RefreshKind.share(how, OF_B);
+            double shareB = RefreshKind.share(how, OF_A);
+            row.swing(turn, rounds, -1, roundA(j), -1, roundB(j));
+            row.apart(true, b, c.bodyA[source], c.bodyB[source]);
+            row.place(rows, s.state, j, kept, k, turn, -1, -1, shareA, shareB);
+            row.fill(rows, s, j, kept, k, false, sub);
+        }
     }
 
     /**
@@ -228,14 +257,6 @@ public final class JacobianRefresh {
     /** Whether a row of a body is renewed. */
     public boolean hasRenewedRow(int slot) {
         return hasRenewedRow[slot];
-    }
-
-    private static boolean passes(BodyStore b, int i, int j, double gravity) {
-        double x = b.velocityX[j] - b.velocityX[i];
-        double y = b.velocityY[j] - b.velocityY[i];
-        double z = b.velocityZ[j] - b.velocityZ[i];
-        double slow = SLOW * SLOW * gravity * Math.min(b.innerRadius[i], b.innerRadius[j]);
-        return x * x + y * y + z * z > slow;
     }
 
     private static int roundA(int place) {
@@ -394,6 +415,7 @@ public final class JacobianRefresh {
     public void rows(
             ConstraintRows rows,
             SolverBodies s,
+            BodyStore b,
             ContactStore c,
             SubStep sub,
             int index,
@@ -410,16 +432,15 @@ public final class JacobianRefresh {
             int k = j * KEPT;
             int source = rows.link[j * LINK + ConstraintRows.SOURCE];
             if (index == 0 && sub.fillScale != 1) {
-                scale(c, source, k, sub.fillScale);
+                RefreshRow.scaleLoads(c, source, kept, k, sub.fillScale);
             }
             if ((how & AIMED) != 0) {
                 RefreshRow.aim(c, source, kept, k);
             }
             int ra = (how & TURNS_A) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK]) : -1;
             int rb = (how & TURNS_B) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK + 1]) : -1;
-            int shared = how & BETWEEN;
-            double shareA = shared == BETWEEN ? 0.5 : shared == OF_B ? 1 : 0;
-            double shareB = shared == BETWEEN ? 0.5 : shared == OF_A ? 1 : 0;
+            double shareA = RefreshKind.share(how, OF_B);
+            double shareB = RefreshKind.share(how, OF_A);
             row.swing(
                     turn,
                     rounds,
@@ -427,11 +448,13 @@ public final class JacobianRefresh {
                     roundA(j),
                     (how & SWINGS_B) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK + 1]) : -1,
                     roundB(j));
+            row.apart((how & APART) != 0, b, c.bodyA[source], c.bodyB[source]);
             row.place(rows, s.state, j, kept, k, turn, ra, rb, shareA, shareB);
             if ((how & TOLD) != 0 || isLast) {
                 row.tell(c, source, (how & TOLD) != 0);
             }
             row.fill(rows, s, j, kept, k, index == 0 || (how & AIMED) != 0, sub);
+            row.warm(rows, s, j, kept, k);
             if (rows.rolling.has(j)) {
                 rows.rolling.renew(rows, s, c, j);
             }
@@ -471,15 +494,6 @@ public final class JacobianRefresh {
                         kept,
                         KEPT * j);
             }
-        }
-    }
-
-    /** What the contacts know is of sub-steps of another length. */
-    private void scale(ContactStore c, int source, int k, double scale) {
-        int first = ContactStore.POINTS * source;
-        for (int i = 0; i < c.pointCount[source]; i++) {
-            c.preload[first + i] *= scale;
-            kept[k + RefreshRow.POINTS + RefreshRow.NUMBERS * i + RefreshRow.LOADS] *= scale;
         }
     }
 }

@@ -14,6 +14,9 @@ final class RefreshKind {
     /** The row is renewed. */
     static final int YES = 1;
 
+    /** How far apart the points of a contact are that is not of a meeting, over the outer radii. */
+    private static final double MEETS = 1e-6;
+
     /** Of a row: its points turn with the corners of A, of B. */
     static final int TURNS_A = 2;
 
@@ -40,6 +43,9 @@ final class RefreshKind {
     static final int SWINGS_A = 512;
 
     static final int SWINGS_B = 1024;
+
+    /** Of a row: two bodies meet within the tick; their points are apart when it begins. */
+    static final int APART = 2048;
 
     private RefreshKind() {}
 
@@ -86,6 +92,9 @@ final class RefreshKind {
             // would lift
             how |= isCorneredA == isCorneredB ? BETWEEN : isCorneredA ? OF_B : OF_A;
         }
+        if (movesA && movesB && isApart(b, c, source)) {
+            how = apart(how, b, c, source, bounces);
+        }
         if (movesA && movesB && b.driven > 0) {
             // what stands or rolls on what only moves of itself meets it at its own point
             how = b.kind[i] != BodyStore.DYNAMIC ? (how & ~BETWEEN) | OF_B : how;
@@ -96,5 +105,62 @@ final class RefreshKind {
             how = (how & ~BETWEEN) | (b.hasBelt[i] ? OF_B : OF_A);
         }
         return how;
+    }
+
+    /** Whether two bodies pass each other so fast that their points drift apart. */
+    static boolean passes(BodyStore b, int i, int j, double gravity) {
+        double x = b.velocityX[j] - b.velocityX[i];
+        double y = b.velocityY[j] - b.velocityY[i];
+        double z = b.velocityZ[j] - b.velocityZ[i];
+        double slow =
+                JacobianRefresh.SLOW
+                        * JacobianRefresh.SLOW
+                        * gravity
+                        * Math.min(b.innerRadius[i], b.innerRadius[j]);
+        return x * x + y * y + z * z > slow;
+    }
+
+    /**
+     * Share of the way between the points of two bodies that the one's goes to the other's.
+     *
+     * @param whole {@link #OF_B} for A's point, {@link #OF_A} for B's
+     */
+    static double share(int how, int whole) {
+        int shared = how & BETWEEN;
+        return shared == BETWEEN ? 0.5 : shared == whole ? 1 : 0;
+    }
+
+    /**
+     * The same of two bodies whose points are apart: a ball's own, beside another round body. Two
+     * balls that bounce keep their own.
+     */
+    private static int apart(int how, BodyStore b, ContactStore c, int source, boolean bounces) {
+        boolean ballA =
+                c.surfaceA[source] != Surface.CORNERED
+                        && !RoundTurn.moves(b, c.bodyA[source], c.colliderA[source]);
+        boolean ballB =
+                c.surfaceB[source] != Surface.CORNERED
+                        && !RoundTurn.moves(b, c.bodyB[source], c.colliderB[source]);
+        if (ballA && ballB && bounces) {
+            return how;
+        }
+        int shared = ballA == ballB ? BETWEEN : ballA ? OF_A : OF_B;
+        return (how & ~BETWEEN) | APART | shared;
+    }
+
+    /** Whether the points that two bodies press with are not at one place as the tick begins. */
+    private static boolean isApart(BodyStore b, ContactStore c, int source) {
+        int i = c.bodyA[source];
+        int j = c.bodyB[source];
+        int q = ContactStore.anchor(ContactStore.POINTS * source);
+        double[] at = c.anchors;
+        double cx = b.positionX[j] - b.positionX[i];
+        double cy = b.positionY[j] - b.positionY[i];
+        double cz = b.positionZ[j] - b.positionZ[i];
+        double x = at[q + 3] - at[q] + cx;
+        double y = at[q + 4] - at[q + 1] + cy;
+        double z = at[q + 5] - at[q + 2] + cz;
+        double far = b.outerRadius[i] + b.outerRadius[j];
+        return x * x + y * y + z * z > MEETS * MEETS * (far * far);
     }
 }

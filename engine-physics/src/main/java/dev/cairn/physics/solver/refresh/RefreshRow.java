@@ -2,6 +2,7 @@ package dev.cairn.physics.solver.refresh;
 
 import static dev.cairn.physics.solver.row.ConstraintRows.*;
 
+import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.kernel.PrepareRow;
@@ -48,6 +49,11 @@ public final class RefreshRow {
     /** The fields of the row, and the points of now. */
     private final double[] r = row.r, at = row.at;
 
+    /** The points of the two bodies were apart when the tick began, and so were their centres. */
+    private boolean isApart;
+
+    private double apartX, apartY, apartZ;
+
     /** Writes the record of a contact. */
     static void keep(ContactStore c, int source, double[] record, int k) {
         aim(c, source, record, k);
@@ -66,6 +72,15 @@ public final class RefreshRow {
         int first = ContactStore.POINTS * source;
         for (int i = 0; i < c.pointCount[source]; i++) {
             record[k + POINTS + NUMBERS * i + LOADS] = c.preload[first + i];
+        }
+    }
+
+    /** What the contacts know is of sub-steps of another length. */
+    static void scaleLoads(ContactStore c, int source, double[] record, int k, double scale) {
+        int first = ContactStore.POINTS * source;
+        for (int i = 0; i < c.pointCount[source]; i++) {
+            c.preload[first + i] *= scale;
+            record[k + POINTS + NUMBERS * i + LOADS] *= scale;
         }
     }
 
@@ -93,6 +108,16 @@ public final class RefreshRow {
     void swing(double[] turn, double[] rounds, int ra, int xa, int rb, int xb) {
         roundA.set(turn, ra, rounds, xa);
         roundB.set(turn, rb, rounds, xb);
+    }
+
+    /** Tells whether the points of two bodies are apart when the tick begins; before a place. */
+    void apart(boolean value, BodyStore b, int i, int j) {
+        isApart = value;
+        if (value) {
+            apartX = b.positionX[j] - b.positionX[i];
+            apartY = b.positionY[j] - b.positionY[i];
+            apartZ = b.positionZ[j] - b.positionZ[i];
+        }
     }
 
     /**
@@ -133,6 +158,11 @@ public final class RefreshRow {
             double dy = (at[i + 4] - record[q + 4]) - (at[i + 1] - record[q + 1]);
             double dz = (at[i + 5] - record[q + 5]) - (at[i + 2] - record[q + 2]);
             at[i + GAPS] = record[q + GAPS] + (dx * nx + dy * ny + dz * nz);
+            if (isApart) {
+                dx = at[i + 3] - at[i] + apartX;
+                dy = at[i + 4] - at[i + 1] + apartY;
+                dz = at[i + 5] - at[i + 2] + apartZ;
+            }
             dx += mx;
             dy += my;
             dz += mz;
@@ -230,8 +260,30 @@ public final class RefreshRow {
         read(rows, rows.base(j), n, hasFriction);
         r[LAMBDA + 2] = r[TWIST_MASS] > 0 ? r[LAMBDA + 2] : 0;
         write(rows, rows.base(j), a, b, n, hasFriction, turned);
-        row.warm(bodies.warm, a, -1, 0, n, hasFriction);
-        row.warm(bodies.warm, b, 1, 3, n, hasFriction);
+    }
+
+    /** Adds the impulses of the row that was filled last to the warm start of its bodies. */
+    void warm(ConstraintRows rows, SolverBodies bodies, int j, double[] record, int k) {
+        int n = rows.points(j);
+        boolean hasFriction = record[k + SHARE] >= 0;
+        row.warm(bodies.warm, rows.link[j * LINK], -1, 0, n, hasFriction);
+        row.warm(bodies.warm, rows.link[j * LINK + 1], 1, 3, n, hasFriction);
+    }
+
+    /** Whether the row at place {@code j} begins without impulses, so that nothing is warm. */
+    boolean isCold(ConstraintRows rows, int j) {
+        int o = rows.base(j);
+        int n = rows.points(j);
+        boolean hasFriction = rows.get(o + FRICTION * rows.lanes) > 0;
+        read(rows, o, n, hasFriction);
+        double sum = 0;
+        for (int i = 0; hasFriction && i < 3; i++) {
+            sum += Math.abs(r[LAMBDA + i]);
+        }
+        for (int i = 0; i < n; i++) {
+            sum += r[POINT + i * POINT_FIELDS + IMPULSE];
+        }
+        return sum == 0;
     }
 
     /** Writes what can have changed. */
