@@ -25,7 +25,7 @@ public final class ContactPoints {
     public final Clipper clipper = new Clipper();
     private final Reduction reduction = new Reduction();
     private final CornerOrder order = new CornerOrder();
-    private final LevelReach level = new LevelReach();
+    private final LevelCorner level = new LevelCorner();
 
     /** Unit axis from A to B, in A's frame. */
     public double axisX, axisY, axisZ;
@@ -33,7 +33,6 @@ public final class ContactPoints {
     /** The vertex of the last face contact whose face was clipped. */
     public int incidentVertex, incidentFace;
 
-    private double wx, wy, wz;
     private double tx, ty, tz;
 
     public ContactPoints(Pair pair, Axes axes, Gjk gjk) {
@@ -112,19 +111,10 @@ public final class ContactPoints {
         incidentVertex = vertex;
         incidentFace = Axes.faceToward(flip ? pair.a : pair.b, vertex, tx, ty, tz);
         clipper.clip(pair, flip, face, incidentFace, margin, last);
-        boolean uneven = clipLevel(flip, reference, face, margin);
-        if (uneven) {
-            order.sort(clipper, nx, ny, nz, margin);
-        }
+        clipLevel(flip, reference, face, margin, last);
         boolean many = clipper.count > Manifold.POINTS;
         double mean = many ? Reduction.meanDistance(clipper) : 0;
-        double tie = 0.01 * hysteresis;
-        if (uneven && many) {
-            placeWeight(flip);
-            reduction.reduceUneven(clipper, nx, ny, nz, tie, hysteresis, last, wx, wy, wz);
-        } else {
-            reduction.reduce(clipper, nx, ny, nz, tie, hysteresis, last);
-        }
+        reduction.reduce(clipper, nx, ny, nz, 0.01 * hysteresis, hysteresis, last);
         out.patch = many ? Math.rint(GRAINS * mean / Reduction.meanOfCorners(clipper)) / GRAINS : 0;
         for (int i = 0; i < clipper.count; i++) {
             double half = clipper.separation[i] / 2;
@@ -144,31 +134,20 @@ public final class ContactPoints {
     }
 
     /**
-     * Clips the faces, too, that touch a flat reference face beside the incident one, see {@link
-     * LevelReach}. A ground of several level faces is left alone: two ridges that cross are what
-     * bears then, and four points can't hold that and what lies around it.
-     *
-     * @return whether that gave any corners
+     * Clips the face of a {@link LevelCorner}, too, up to that corner, where the reference face is
+     * flat ground. One of several level faces is left alone: two ridges that cross are what bears
+     * then, and four points can't hold that and what lies around it.
      */
-    private boolean clipLevel(boolean flip, Polyhedron reference, int face, double margin) {
-        if (reference.level.exist(face) || !level.find(pair, !flip, incidentFace, face)) {
-            return false;
+    private void clipLevel(boolean flip, Polyhedron reference, int face, double margin, int last) {
+        if (reference.level.exist(face) || !level.find(pair, !flip, incidentFace, face, last)) {
+            return;
         }
         int own = clipper.count;
-        for (int i = 0; i < level.count; i++) {
-            clipper.clipMore(face, level.face[i], level.height, margin);
+        clipper.clipMore(face, level.face, level.separation, margin);
+        if (clipper.count > own) {
+            double nx = reference.normalX(face);
+            order.sort(clipper, nx, reference.normalY(face), reference.normalZ(face), margin);
         }
-        return clipper.count > own;
-    }
-
-    /** Puts the centre of mass of the smaller shape, in the reference's frame, into w. */
-    private void placeWeight(boolean flip) {
-        Pair p = pair;
-        boolean ofB = p.b.outerRadius() < p.a.outerRadius();
-        boolean other = ofB != flip;
-        wx = !other ? 0 : flip ? -(p.r00 * p.dx + p.r10 * p.dy + p.r20 * p.dz) : p.dx;
-        wy = !other ? 0 : flip ? -(p.r01 * p.dx + p.r11 * p.dy + p.r21 * p.dz) : p.dy;
-        wz = !other ? 0 : flip ? -(p.r02 * p.dx + p.r12 * p.dy + p.r22 * p.dz) : p.dz;
     }
 
     /** A normal of the reference, reversed, in the other shape's frame. */

@@ -3,6 +3,7 @@ package dev.cairn.physics.narrowphase.clip;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * The corners of the region where two {@link Patch}es face each other, seen along the reference's
@@ -30,7 +31,7 @@ public final class Overlay {
     private int last;
     private double ux, uy, uz, vx, vy, vz;
     private final CornerOrder order = new CornerOrder();
-    private final LevelReach level = new LevelReach();
+    private final LevelCorner level = new LevelCorner();
 
     /** Sets the reference, whose flat's normal the separations are along. */
     public void begin(Pair p, Patch reference, Patch incident, int lastNames) {
@@ -270,21 +271,28 @@ public final class Overlay {
     }
 
     /**
-     * Both ends of a line, or all corners of a face and of those level with it, on a plane without
-     * end; a polyhedron is the first shape.
+     * Both ends of a line, or all corners that a polyhedron stands on, which is the first shape, on
+     * a plane without end.
      */
     public void restOnPlane() {
         if (inc.flatter) {
             for (int i = 0; i < inc.count; i++) {
                 putFromIncident(inc.x[i], inc.y[i], inc.z[i], inc.kind | inc.vertex[i]);
             }
-            double offset = nx * ref.ox + ny * ref.oy + nz * ref.oz;
-            if (level.find(inc.hull, inc.face, nx, ny, nz, offset, pair.inner)) {
-                level.add(out, inc.kind);
-            }
+            putLevel();
         } else {
             putFromIncident(inc.px, inc.py, inc.pz, inc.nameP);
             putFromIncident(inc.qx, inc.qy, inc.qz, inc.nameQ);
+        }
+    }
+
+    /** The corner, too, with which a polyhedron stands beside those of its face. */
+    private void putLevel() {
+        Polyhedron h = inc.hull;
+        double offset = nx * ref.ox + ny * ref.oy + nz * ref.oz;
+        if (level.find(h, inc.face, nx, ny, nz, offset, pair.inner, inc.kind, last)) {
+            int v = level.vertex;
+            putFromIncident(h.vertexX(v), h.vertexY(v), h.vertexZ(v), inc.kind | v);
         }
     }
 

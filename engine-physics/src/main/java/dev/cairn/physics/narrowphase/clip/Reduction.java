@@ -37,8 +37,6 @@ public final class Reduction {
     private double[] u = new double[32], v = new double[32];
     private final int[] four = new int[4], old = new int[4];
     private double best;
-    private boolean dropX, dropZ;
-    private final RestingCorners resting = new RestingCorners();
     private int count;
 
     /**
@@ -53,12 +51,6 @@ public final class Reduction {
         if (c.count <= 4) {
             return;
         }
-        choose(c, nx, ny, nz, tie, hysteresis, last);
-        compact(c);
-    }
-
-    private void choose(
-            Clipper c, double nx, double ny, double nz, double tie, double hysteresis, int last) {
         project(c, nx, ny, nz);
         double least = Double.MAX_VALUE;
         for (int i = 0; i < c.count; i++) {
@@ -72,37 +64,10 @@ public final class Reduction {
             }
         }
         keep(c, least + hysteresis, last);
+        Arrays.fill(chosen, 0, c.count, false);
         for (int i = 0; i < 4; i++) {
-            four[i] = index[four[i]];
+            chosen[index[four[i]]] = true;
         }
-    }
-
-    /**
-     * The same where the corners are in no plane: four that a body rests on.
-     *
-     * @param x where its weight passes, in the frame of the corners, m
-     */
-    public void reduceUneven(
-            Clipper c,
-            double nx,
-            double ny,
-            double nz,
-            double tie,
-            double hysteresis,
-            int last,
-            double x,
-            double y,
-            double z) {
-        if (c.count <= 4) {
-            return;
-        }
-        choose(c, nx, ny, nz, tie, hysteresis, last);
-        // along the normal to the plane that the separations are measured from
-        double t = nx * (c.x[0] - x) + ny * (c.y[0] - y) + nz * (c.z[0] - z) - c.separation[0];
-        double qx = x + t * nx;
-        double qy = y + t * ny;
-        double qz = z + t * nz;
-        resting.settle(c, u, v, dropX ? qy : qx, dropZ ? qy : qz, four, tie, hysteresis, last);
         compact(c);
     }
 
@@ -180,8 +145,8 @@ public final class Reduction {
         double ax = Math.abs(nx);
         double ay = Math.abs(ny);
         double az = Math.abs(nz);
-        dropX = ax >= ay && ax >= az;
-        dropZ = !dropX && az > ay;
+        boolean dropX = ax >= ay && ax >= az;
+        boolean dropZ = !dropX && az > ay;
         for (int i = 0; i < c.count; i++) {
             u[i] = dropX ? c.y[i] : c.x[i];
             v[i] = dropZ ? c.y[i] : c.z[i];
@@ -303,12 +268,7 @@ public final class Reduction {
         }
     }
 
-    /** Leaves the four. */
     private void compact(Clipper c) {
-        Arrays.fill(chosen, 0, c.count, false);
-        for (int i = 0; i < 4; i++) {
-            chosen[four[i]] = true;
-        }
         int at = 0;
         for (int i = 0; i < c.count; i++) {
             if (chosen[i]) {

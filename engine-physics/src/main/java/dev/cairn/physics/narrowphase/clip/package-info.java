@@ -14,6 +14,9 @@
  * dev.cairn.physics.narrowphase.clip.Overlay}, polygons by {@link
  * dev.cairn.physics.narrowphase.clip.Clipper}.
  *
+ * <p>What stands on flat ground with a triangle that is level with its neighbours touches with the
+ * nearest corner of these, too ({@link dev.cairn.physics.narrowphase.clip.LevelCorner}).
+ *
  * <p>Invariants: ids do not depend on which shape is the reference. A corner on a side plane up to
  * a tolerance is not cut, and for a point of the last tick the tolerance is larger, so that flush
  * faces keep their points. Where an edge crosses a side depends on these two alone, not on the

@@ -83,8 +83,7 @@ public final class PlaneContact {
                 overlay.restOnPlane();
             }
             overlay.finish(margin);
-            double tie = 0.01 * hysteresis;
-            reduction.reduceUneven(overlay.out, nx, ny, nz, tie, hysteresis, last, 0, 0, 0);
+            reduction.reduce(overlay.out, nx, ny, nz, 0.01 * hysteresis, hysteresis, last);
             points.take(overlay.out, nx, ny, nz, out);
             boolean disc = patch.flat == Patch.DISC && patch.flatter;
             out.patch = disc && out.pointCount == Manifold.POINTS ? Patch.DISC_SHARE : 0;

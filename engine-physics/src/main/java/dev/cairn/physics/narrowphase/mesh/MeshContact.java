@@ -3,7 +3,7 @@ package dev.cairn.physics.narrowphase.mesh;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.clip.Clipper;
 import dev.cairn.physics.narrowphase.clip.CornerOrder;
-import dev.cairn.physics.narrowphase.clip.LevelReach;
+import dev.cairn.physics.narrowphase.clip.LevelCorner;
 import dev.cairn.physics.narrowphase.clip.Overlay;
 import dev.cairn.physics.narrowphase.clip.Patch;
 import dev.cairn.physics.narrowphase.clip.Reduction;
@@ -45,7 +45,7 @@ public final class MeshContact {
     private Shape shape = HalfSpace.of();
     private double tolerance;
     private final Margin margin = new Margin();
-    private final LevelReach level = new LevelReach();
+    private final LevelCorner level = new LevelCorner();
 
     /** The triangle at hand: its unit normal towards the shape. */
     private double nx, ny, nz;
@@ -313,10 +313,13 @@ public final class MeshContact {
     private void keepFlat(Clipper c, double height, double ux, double uy, double uz) {
         Polyhedron p = pair.a;
         int face = Axes.faceToward(p, p.support(-ux, -uy, -uz), -ux, -uy, -uz);
-        level.find(p, face, ux, uy, uz, -height, pair.inner);
+        int kind = FeatureIds.VERTEX_B;
+        double inner = pair.inner;
+        boolean more = level.find(p, face, ux, uy, uz, -height, inner, kind, lastNames());
         int kept = 0;
         for (int i = 0; i < c.count; i++) {
-            if (level.has(c.feature[i] & ~FeatureIds.VERTEX_B)) {
+            int v = c.feature[i] & ~FeatureIds.VERTEX_B;
+            if (LevelCorner.isCorner(p, face, v) || (more && v == level.vertex)) {
                 below[kept] = below[i];
                 CornerOrder.move(c, i, kept++);
             }
@@ -423,8 +426,7 @@ public final class MeshContact {
             return;
         }
         double hysteresis = ContactTolerances.HYSTERESIS * pair.inner;
-        double tie = 0.01 * hysteresis;
-        reduction.reduceUneven(c, nx, ny, nz, tie, hysteresis, lastNames(), 0, 0, 0);
+        reduction.reduce(c, nx, ny, nz, 0.01 * hysteresis, hysteresis, lastNames());
         Manifold m = result;
         m.pointCount = 0;
         m.patch = c.count == Manifold.POINTS ? share : 0;

@@ -3,9 +3,9 @@ package dev.cairn.physics.shape.polyhedron;
 import java.util.Arrays;
 
 /**
- * Which faces of a {@link Polyhedron} lie nearly in the plane of another: a body rests on all of
- * these together. The underside of a stone is often two triangles that are level but for
- * micrometres, and which of them looks more towards the ground changes with each sway.
+ * Which faces of a {@link Polyhedron} lie nearly in the plane of another: as a body sways it rests
+ * on corners of all of these. The underside of a stone is often two triangles that are level but
+ * for micrometres, and which of them looks more towards the ground changes with each sway.
  */
 public final class LevelFaces {
     /** How far below a face's plane the corners of a level face may be, in inner radii. */
