@@ -33,9 +33,10 @@ import java.util.Arrays;
  * body that turns gets the root of its present inertia, and a row of such a body, or of two that
  * pass each other, gets levers of now: corners turn with their body, points of solids of revolution
  * go with their axis and those of balls with their centre ({@link RoundTurn}), and two bodies that
- * move share one point, that of the round one. Then no angular momentum is made. Normals and
- * tangents stay those of the tick's start; so two bodies that bounce keep their own points, else
- * balls would leave an impact with a spin, and a gas of them lose its energy.
+ * move share one point, that of the round one. Then no angular momentum is made. The points of two
+ * that meet within the tick are apart as it begins ({@code MeetingContact}), and brought together
+ * from the first sub-step on. Normals and tangents stay those of the tick's start. Two bodies that
+ * bounce keep their points, unless they meet within the tick and are not both balls.
  *
  * <p>A body that is slower than 0.045 of {@code sqrt(g r)} (0.1 m/s for a cube of 1 m) is left
  * alone, so that what rests or creeps pays one comparison a row; without gravity all that moves is
