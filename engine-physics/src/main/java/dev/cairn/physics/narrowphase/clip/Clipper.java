@@ -101,7 +101,7 @@ public final class Clipper {
         incidentCorners = corners;
         order.set(reference, begin, end - begin);
         if (corners == 3) {
-            k = triangle(pair, first, face, begin, end - begin);
+            k = triangle(pair, first, face, end - begin);
         } else {
             load(pair, first, corners);
         }
@@ -181,7 +181,7 @@ public final class Clipper {
      * Cuts a triangle by the first side that has a corner of it beyond; returns how many sides are
      * done. Most faces of hulls are triangles; until then its corners need no memory.
      */
-    private int triangle(Pair p, int at, int face, int begin, int sides) {
+    private int triangle(Pair p, int at, int face, int sides) {
         Polyhedron h = reference;
         int kind = flip ? FeatureIds.VERTEX_A : FeatureIds.VERTEX_B;
         int v0 = other.slotVertex(at);
