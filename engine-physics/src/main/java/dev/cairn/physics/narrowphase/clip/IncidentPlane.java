@@ -3,13 +3,15 @@ package dev.cairn.physics.narrowphase.clip;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
-/** The plane of a clipped face in the frame of the reference shape; computed when it is needed. */
+/** The plane of a face of one polyhedron in the frame of the other; computed when it is needed. */
 final class IncidentPlane {
     /** Cosine of planes that are too steep for a height above a point. */
     private static final double STEEP = 0x1p-10;
 
     private boolean known;
-    private double x, y, z, offset;
+
+    /** Its unit normal and offset, m. */
+    double x, y, z, offset;
 
     /** Another face is to come. */
     void forget() {

@@ -30,6 +30,8 @@ public final class LevelCorner {
     /** The ground's unit normal towards the polyhedron and its offset, in the latter's frame, m. */
     private double nx, ny, nz, offset;
 
+    private final IncidentPlane plane = new IncidentPlane();
+
     /** Before any search. */
     public LevelCorner() {}
 
@@ -47,24 +49,12 @@ public final class LevelCorner {
         if (!h.level.exist(of)) {
             return false;
         }
-        Polyhedron g = ofB ? p.a : p.b;
-        double x = g.normalX(ground);
-        double y = g.normalY(ground);
-        double z = g.normalZ(ground);
-        double o = g.offset(ground);
-        if (ofB) {
-            // v of B is at R v + d
-            nx = p.r00 * x + p.r10 * y + p.r20 * z;
-            ny = p.r01 * x + p.r11 * y + p.r21 * z;
-            nz = p.r02 * x + p.r12 * y + p.r22 * z;
-            offset = o - (x * p.dx + y * p.dy + z * p.dz);
-        } else {
-            // v of A is at R^T (v - d)
-            nx = p.r00 * x + p.r01 * y + p.r02 * z;
-            ny = p.r10 * x + p.r11 * y + p.r12 * z;
-            nz = p.r20 * x + p.r21 * y + p.r22 * z;
-            offset = o + nx * p.dx + ny * p.dy + nz * p.dz;
-        }
+        plane.forget();
+        plane.set(p, ofB, ofB ? p.a : p.b, ground);
+        nx = plane.x;
+        ny = plane.y;
+        nz = plane.z;
+        offset = plane.offset;
         return find(h, of, p.inner, ofB ? FeatureIds.VERTEX_B : FeatureIds.VERTEX_A, last);
     }
 
