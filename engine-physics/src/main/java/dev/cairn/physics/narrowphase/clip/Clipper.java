@@ -139,7 +139,7 @@ public final class Clipper {
     }
 
     /** Whether one of so many corners has a name. */
-    boolean has(int name, int before) {
+    private boolean has(int name, int before) {
         int i = 0;
         while (i < before && feature[i] != name) {
             i++;

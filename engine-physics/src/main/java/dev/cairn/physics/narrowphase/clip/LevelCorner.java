@@ -22,10 +22,13 @@ public final class LevelCorner {
     /** How much nearer that of the last tick counts, in inner radii. */
     private static final double STAYS = 0.02;
 
-    /** Its vertex, the face that it belongs to, and how far it is from the ground, m. */
-    public int vertex, face;
+    /** Its vertex. */
+    public int vertex;
 
-    public double separation;
+    /** The face that it belongs to, and how far it is from the ground, m. */
+    int face;
+
+    double separation;
 
     /** The ground's unit normal towards the polyhedron and its offset, in the latter's frame, m. */
     private double nx, ny, nz, offset;
