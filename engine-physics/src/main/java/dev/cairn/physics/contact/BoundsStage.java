@@ -415,17 +415,32 @@ public final class BoundsStage {
         double vz = b.velocityZ[s] + step * (scale * gravityZ + b.forceZ[s] * inverseMass);
         double spin = StepLimits.spin(b, s, step);
         boolean valid = StepLimits.allow(b, s, vx, vy, vz, spin);
+        int c = b.collider[s];
+        if (c == ColliderStore.NONE) {
+            return 0;
+        }
+        state[c] = valid ? look(s, c, vx, vy, vz, spin) : INVALID;
+        int next = colliders.next[c];
+        return next == ColliderStore.NONE
+                ? state[c]
+                : state[c] + lookAtOthers(s, next, vx, vy, vz, spin, valid);
+    }
+
+    /**
+     * Apart, as nearly all bodies have one collider: a loop costs the compiler a quarter second.
+     */
+    private int lookAtOthers(
+            int s, int first, double vx, double vy, double vz, double spin, boolean valid) {
         int changes = 0;
-        for (int c = b.collider[s]; c != ColliderStore.NONE; c = colliders.next[c]) {
-            state[c] =
-                    !valid
-                            ? INVALID
-                            : c == s
-                                    ? look(c, vx, vy, vz, spin, 0)
-                                    : lookAtChild(s, c, vx, vy, vz, spin);
+        for (int c = first; c != ColliderStore.NONE; c = colliders.next[c]) {
+            state[c] = valid ? look(s, c, vx, vy, vz, spin) : INVALID;
             changes += state[c];
         }
         return changes;
+    }
+
+    private byte look(int s, int c, double vx, double vy, double vz, double spin) {
+        return c == s ? look(c, vx, vy, vz, spin, 0) : lookAtChild(s, c, vx, vy, vz, spin);
     }
 
     /**

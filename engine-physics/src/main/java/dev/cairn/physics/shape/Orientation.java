@@ -1,6 +1,6 @@
 package dev.cairn.physics.shape;
 
-import java.math.BigDecimal;
+import java.math.BigInteger;
 
 /**
  * On which side of a plane a point lies, decided exactly. A floating-point filter answers nearly
@@ -47,24 +47,52 @@ final class Orientation {
         return permanent == 0 ? 0 : exact(p, a, b, c, d);
     }
 
+    /**
+     * In whole multiples of the least last place of all coordinates: the determinant has the sign
+     * of that of the points. Not in {@code BigDecimal}, whose class alone takes the JVM a tenth of
+     * a second to set up.
+     */
     private static int exact(double[] p, int a, int b, int c, int d) {
-        BigDecimal ax = difference(p, 3 * a, 3 * d);
-        BigDecimal ay = difference(p, 3 * a + 1, 3 * d + 1);
-        BigDecimal az = difference(p, 3 * a + 2, 3 * d + 2);
-        BigDecimal bx = difference(p, 3 * b, 3 * d);
-        BigDecimal by = difference(p, 3 * b + 1, 3 * d + 1);
-        BigDecimal bz = difference(p, 3 * b + 2, 3 * d + 2);
-        BigDecimal cx = difference(p, 3 * c, 3 * d);
-        BigDecimal cy = difference(p, 3 * c + 1, 3 * d + 1);
-        BigDecimal cz = difference(p, 3 * c + 2, 3 * d + 2);
-        BigDecimal det =
+        int unit = Math.min(Math.min(unit(p, a), unit(p, b)), Math.min(unit(p, c), unit(p, d)));
+        BigInteger ax = difference(p, 3 * a, 3 * d, unit);
+        BigInteger ay = difference(p, 3 * a + 1, 3 * d + 1, unit);
+        BigInteger az = difference(p, 3 * a + 2, 3 * d + 2, unit);
+        BigInteger bx = difference(p, 3 * b, 3 * d, unit);
+        BigInteger by = difference(p, 3 * b + 1, 3 * d + 1, unit);
+        BigInteger bz = difference(p, 3 * b + 2, 3 * d + 2, unit);
+        BigInteger cx = difference(p, 3 * c, 3 * d, unit);
+        BigInteger cy = difference(p, 3 * c + 1, 3 * d + 1, unit);
+        BigInteger cz = difference(p, 3 * c + 2, 3 * d + 2, unit);
+        BigInteger det =
                 az.multiply(bx.multiply(cy).subtract(cx.multiply(by)))
                         .add(bz.multiply(cx.multiply(ay).subtract(ax.multiply(cy))))
                         .add(cz.multiply(ax.multiply(by).subtract(bx.multiply(ay))));
         return -det.signum();
     }
 
-    private static BigDecimal difference(double[] p, int i, int j) {
-        return new BigDecimal(p[i]).subtract(new BigDecimal(p[j]));
+    /** Exponent of two of the least last place of a point's coordinates that are not 0. */
+    private static int unit(double[] p, int point) {
+        int least = Double.MAX_EXPONENT;
+        for (int i = 3 * point; i < 3 * point + 3; i++) {
+            least = p[i] == 0 ? least : Math.min(least, lastPlace(p[i]));
+        }
+        return least;
+    }
+
+    /** Exponent of two of the last of the 53 places of a number. */
+    private static int lastPlace(double value) {
+        return Math.max(Math.getExponent(value), Double.MIN_EXPONENT) - 52;
+    }
+
+    private static BigInteger difference(double[] p, int i, int j, int unit) {
+        return whole(p[i], unit).subtract(whole(p[j], unit));
+    }
+
+    private static BigInteger whole(double value, int unit) {
+        if (value == 0) {
+            return BigInteger.ZERO;
+        }
+        int last = lastPlace(value);
+        return BigInteger.valueOf((long) Math.scalb(value, -last)).shiftLeft(last - unit);
     }
 }

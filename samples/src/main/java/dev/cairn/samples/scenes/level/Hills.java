@@ -39,11 +39,6 @@ public final class Hills {
         Box.cubeOfHalfExtent(.2)
     };
 
-    /** The same with hulls of {@value #SIDES} sides in place of cylinder and cone. */
-    private static final Shape[] KINDS_OF_HULLS = {
-        KINDS[0], KINDS[1], KINDS[2], frustum(.25, .25, .2), frustum(.3, 0, .25), KINDS[5]
-    };
-
     private static final int SIDES = 16;
     private static final Parameter HULLS =
             Parameter.count("hulls", 0, 0, 1, "1 if hulls stand for cylinders and cones");
@@ -110,6 +105,13 @@ public final class Hills {
         return .3 * StrictMath.cos(1.7 * x) * StrictMath.cos(1.7 * z) + (r > 0 ? 2 * r * r : 0);
     }
 
+    /** The same shapes with hulls of {@value #SIDES} sides in place of cylinder and cone. */
+    private static Shape[] kindsOfHulls() {
+        return new Shape[] {
+            KINDS[0], KINDS[1], KINDS[2], frustum(.25, .25, .2), frustum(.3, 0, .25), KINDS[5]
+        };
+    }
+
     /** A hull within a round one along y; a cone if the radius at its top is 0. */
     private static ConvexHull frustum(double bottom, double top, double halfHeight) {
         double[] xyz = new double[6 * SIDES];
@@ -142,7 +144,7 @@ public final class Hills {
             double half,
             DoubleBinaryOperator height) {
         int count = scene.count("bodies");
-        Shape[] kinds = scene.count("hulls") == 1 ? KINDS_OF_HULLS : KINDS;
+        Shape[] kinds = scene.count("hulls") == 1 ? kindsOfHulls() : KINDS;
         scene.add(shape, Palette.STONE, ground.material(Palette.material(0.6, 0)).name("ground"));
         double wide = .7 * half;
         int side = (int) Math.min(Math.ceil(Math.sqrt(count)), 2 * wide / 1.1);
