@@ -110,6 +110,9 @@ public final class SolverBodies {
 
     public boolean[] shifted = {};
 
+    /** Whether in this sub-step the body and another one that moves have bounced. */
+    public boolean[] collided = {};
+
     /** By slot: the share of a sub-step by which a body moves, 0 to 1. */
     public double[] pace = {};
 
@@ -181,6 +184,7 @@ public final class SolverBodies {
             fastest = new double[n];
             impactTime = new double[n];
             shifted = new boolean[n];
+            collided = new boolean[n];
             pace = new double[n];
         }
         axes.ensureCapacity(slots);

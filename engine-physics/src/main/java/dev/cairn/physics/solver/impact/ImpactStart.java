@@ -21,7 +21,19 @@ public final class ImpactStart {
     /** So much may momentum and energy miss each other, as a share; needles miss by factors. */
     private static final double MISS = 0.3;
 
+    /** Turns until both fit; the longest of each, rad; what of the energy is rounding. */
+    private static final int STEPS = 4;
+
+    private static final double FAR = 0.2;
+    private static final double ROUNDING = 1e-15;
+
+    /** Change of the energy with a turn, over twice the energy, below which rounding would turn. */
+    private static final double EVEN = 1e-4;
+
     private final double[] momentum = new double[3], spin = new double[3];
+
+    /** Spin after a turn, rad/s. */
+    private final double[] turned = new double[3];
 
     /**
      * Start of a sub-step, before its impacts; bodies of a batch in {@link SolverContext#order}.
@@ -30,6 +42,7 @@ public final class ImpactStart {
         for (int k = head; k < tail; k++) {
             tick.body.impactTime[tick.order[k]] = 0;
             tick.body.shifted[tick.order[k]] = false;
+            tick.body.collided[tick.order[k]] = false;
         }
     }
 
@@ -90,10 +103,7 @@ public final class ImpactStart {
             return;
         }
         double[] v = bodies.state;
-        double[] r = bodies.root;
-        int o = SolverBodies.offset(slot);
-        int w = o + SolverBodies.V + 3;
-        int k = (slot + 1) * SolverBodies.ROOT;
+        int w = SolverBodies.offset(slot) + SolverBodies.V + 3;
         double twice = square(v, w);
         if (!(twice < Double.POSITIVE_INFINITY)) {
             // such a body is stopped when the step ends
@@ -103,13 +113,12 @@ public final class ImpactStart {
         for (int c = 0; c < 3; c++) {
             spin[c] = bodies.world(slot, w, c);
         }
-        bodies.rootOfInertia(store, slot, v[o + SolverBodies.GRAVITY]);
-        for (int c = 0; c < 3; c++) {
-            // L^T (angular momentum)
-            v[w + c] =
-                    r[k + c] * momentum[0]
-                            + r[k + 3 + c] * momentum[1]
-                            + r[k + 6 + c] * momentum[2];
+        keepMomentum(store, bodies, slot);
+        for (int step = 0; step < STEPS && bodies.collided[slot]; step++) {
+            if (!turnTowards(store, bodies, slot, twice)) {
+                break;
+            }
+            keepMomentum(store, bodies, slot);
         }
         double scale = Math.sqrt(twice / square(v, w));
         if (!(Math.abs(scale - 1) <= MISS)) {
@@ -119,6 +128,51 @@ public final class ImpactStart {
         for (int c = 0; c < 3 && scale > 0; c++) {
             v[w + c] *= scale;
         }
+    }
+
+    /** The inertia that the body has as it is turned now, and the spin of its momentum with it. */
+    private void keepMomentum(BodyStore store, SolverBodies bodies, int slot) {
+        double[] v = bodies.state;
+        double[] r = bodies.root;
+        int o = SolverBodies.offset(slot);
+        int w = o + SolverBodies.V + 3;
+        int k = (slot + 1) * SolverBodies.ROOT;
+        bodies.rootOfInertia(store, slot, v[o + SolverBodies.GRAVITY]);
+        for (int c = 0; c < 3; c++) {
+            // L^T (angular momentum)
+            v[w + c] =
+                    r[k + c] * momentum[0]
+                            + r[k + 3 + c] * momentum[1]
+                            + r[k + 6 + c] * momentum[2];
+        }
+    }
+
+    /**
+     * Turns a body to where it has an energy with its angular momentum M. Both are kept on its free
+     * path, so where they do not fit its start is beside the path on which the impact was. With a
+     * turn {@code q} the energy changes by {@code q.(w x M)}; the shortest one is along that.
+     *
+     * @param twice the energy
+     * @return whether it was turned
+     */
+    private boolean turnTowards(BodyStore store, SolverBodies bodies, int slot, double twice) {
+        double[] v = bodies.state;
+        int w = SolverBodies.offset(slot) + SolverBodies.V + 3;
+        double miss = 0.5 * (twice - square(v, w));
+        for (int c = 0; c < 3; c++) {
+            turned[c] = bodies.world(slot, w, c);
+        }
+        double x = turned[1] * momentum[2] - turned[2] * momentum[1];
+        double y = turned[2] * momentum[0] - turned[0] * momentum[2];
+        double z = turned[0] * momentum[1] - turned[1] * momentum[0];
+        double square = x * x + y * y + z * z;
+        boolean leads = square > EVEN * EVEN * (twice * twice) && miss * miss < FAR * FAR * square;
+        if (!leads || !(Math.abs(miss) > ROUNDING * twice)) {
+            return false;
+        }
+        double k = miss / square;
+        Rotation.turn(store, slot, k * x, k * y, k * z);
+        return true;
     }
 
     private static double square(double[] v, int w) {

@@ -9,6 +9,7 @@ import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
 import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.AxisLocks;
 import dev.cairn.physics.solver.body.DrivenSides;
 import dev.cairn.physics.solver.body.SolverBodies;
@@ -65,6 +66,7 @@ public final class Impacts {
     private final double[] before = new double[12];
 
     private final MultiPointImpact impact = new MultiPointImpact();
+    private final ImpactLevers levers = new ImpactLevers();
 
     private double soon;
 
@@ -92,6 +94,7 @@ public final class Impacts {
     private ConstraintRows look = rows;
     private SolverBodies bodies = new SolverBodies();
     private BodyStore store = new BodyStore();
+    private ContactStore contacts = new ContactStore();
     private double[] d = {};
     private double[] body = {};
 
@@ -129,6 +132,7 @@ public final class Impacts {
         isJointed = jointed;
         bodies = tick.body;
         store = tick.bodies;
+        contacts = tick.contacts;
         body = bodies.state;
         soon = rows.isSingle ? SOON_SINGLE : SOON;
         gravity = tick.weight();
@@ -297,12 +301,22 @@ public final class Impacts {
             double v = impact.speed(p);
             double now = impact.gap(p);
             double at = now + time * (v + 0.5 * time * an);
-            impact.goal[p] =
-                    at <= flush + soon * now
-                            ? Math.max(0, -restitution * (v + time * an))
-                            : Double.NaN;
+            impact.goal[p] = at <= flush + soon * now ? 0 : Double.NaN;
+        }
+        takeOut();
+        boolean met =
+                levers.open(look, place, store, contacts, bodies, impact.goal, time, acceleration);
+        for (int p = 0; p < points; p++) {
+            if (!Double.isNaN(impact.goal[p])) {
+                impact.goal[p] = Math.max(0, -restitution * (impact.speed(p) + time * an));
+            }
         }
         strike(time, time * an);
+        if (met) {
+            bodies.collided[SolverBodies.slot(a)] = true;
+            bodies.collided[SolverBodies.slot(b)] = true;
+            levers.close();
+        }
         return true;
     }
 
@@ -358,13 +372,8 @@ public final class Impacts {
         destination[out + 2] = left * z;
     }
 
-    /**
-     * The impulses of one impact, {@code early} the speed that acceleration adds until then, and
-     * the shift of the start. The contact starts the sub-step without impulses.
-     */
-    private void strike(double time, double early) {
-        System.arraycopy(body, a, before, 0, 6);
-        System.arraycopy(body, b, before, 6, 6);
+    /** The contact starts the sub-step without impulses. */
+    private void takeOut() {
         rows.drags.give(look, place, rowPlace);
         WarmStart.addNormals(look, bodies.warm, place, o, -1);
         WarmStart.addFriction(look, bodies.warm, place, o, -1);
@@ -374,6 +383,15 @@ public final class Impacts {
         for (int k = 0; k < 3; k++) {
             d[o + (LAMBDA + k) * lanes] = 0;
         }
+    }
+
+    /**
+     * The impulses of one impact, {@code early} the speed that acceleration adds until then, and
+     * the shift of the start.
+     */
+    private void strike(double time, double early) {
+        System.arraycopy(body, a, before, 0, 6);
+        System.arraycopy(body, b, before, 6, 6);
         impact.uniform(early);
         impact.newton(early);
         boolean hasFriction = d[o + FRICTION * lanes] > 0;

@@ -140,6 +140,57 @@ public final class PrepareRow implements RowFiller {
         }
     }
 
+    /**
+     * Gives a point of a row other levers.
+     *
+     * @param arms from the middle of A, then from that of B, world, m
+     */
+    public static void point(
+            ConstraintRows rows, SolverBodies bodies, int j, int point, double[] arms) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        int o = rows.base(j);
+        int q = o + (POINT + point * POINT_FIELDS) * lanes;
+        double w = d[o + MASS_A * lanes] + d[o + MASS_B * lanes];
+        for (int side = 0; side < 2; side++) {
+            w +=
+                    arm(
+                            bodies.root,
+                            rows.link[j * LINK + side],
+                            d,
+                            q + (ARM_A + 3 * side) * lanes,
+                            lanes,
+                            arms[3 * side],
+                            arms[3 * side + 1],
+                            arms[3 * side + 2],
+                            d[o],
+                            d[o + lanes],
+                            d[o + 2 * lanes]);
+        }
+        d[q + MASS * lanes] = w > 0 ? 1 / w : 0;
+    }
+
+    /**
+     * Gives the centre of a patch other levers.
+     *
+     * @param arms from the middle of A, then from that of B, world, m
+     */
+    public static void centre(
+            ConstraintRows rows, SolverBodies bodies, int j, double[] arms, boolean wide) {
+        block(
+                rows,
+                bodies,
+                j,
+                rows.base(j),
+                arms[0],
+                arms[1],
+                arms[2],
+                arms[3],
+                arms[4],
+                arms[5],
+                wide);
+    }
+
     /** {@code t1 = n x e / |n x e|}, e the axis along which n is shortest; {@code t2 = n x t1}. */
     public static void tangents(double[] d, int o, int lanes, double nx, double ny, double nz) {
         double ax = Math.abs(nx);
