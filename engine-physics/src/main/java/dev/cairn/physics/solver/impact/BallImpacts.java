@@ -264,22 +264,26 @@ public final class BallImpacts {
 
     /** Separation of a row along its normal at the start of the sub-step. */
     private double separation(int row) {
-        int place = rows.list.place[row];
-        int o = rows.base(place);
-        double[] s = bodies.state;
-        int i = rows.link[place * LINK] + SolverBodies.P;
-        int j = rows.link[place * LINK + 1] + SolverBodies.P;
-        double sum = rows.get(o + GAP * rows.lanes);
+        return rows.get(rows.base(rows.list.place[row]) + GAP * rows.lanes) + parted(row);
+    }
+
+    /** How far the bodies of a row have parted along its normal since the tick's start, m. */
+    private double parted(int row) {
+        int l = rows.list.place[row] * LINK;
+        int o = rows.base(rows.list.place[row]);
+        int i = rows.link[l] + SolverBodies.P;
+        int j = rows.link[l + 1] + SolverBodies.P;
+        double sum = 0;
         for (int k = 0; k < 3; k++) {
-            sum += rows.get(o + k * rows.lanes) * (s[j + k] - s[i + k]);
+            sum += rows.get(o + k * rows.lanes) * (bodies.state[j + k] - bodies.state[i + k]);
         }
         return sum;
     }
 
+    /** The same however often: how often a pair is asked hangs on what else meets. */
     private void separate(int row, double value) {
         int o = rows.base(rows.list.place[row]);
-        int gap = o + GAP * rows.lanes;
-        rows.put(gap, rows.get(gap) + (value - separation(row)));
+        rows.put(o + GAP * rows.lanes, value - parted(row));
         rows.put(o + (POINT + ConstraintRows.SEPARATION) * rows.lanes, value);
     }
 

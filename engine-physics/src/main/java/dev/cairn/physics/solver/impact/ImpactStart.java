@@ -49,8 +49,9 @@ public final class ImpactStart {
     /** Fits those whose start was moved, after the impacts. */
     public void fit(SolverContext tick, int head, int tail) {
         for (int k = head; k < tail; k++) {
-            if (tick.body.shifted[tick.order[k]]) {
-                fit(tick.bodies, tick.body, tick.order[k]);
+            int slot = tick.order[k];
+            if (tick.body.shifted[slot]) {
+                fit(tick.bodies, tick.body, slot, tick.body.collided[slot]);
             }
         }
     }
@@ -97,8 +98,10 @@ public final class ImpactStart {
      * the start.
      *
      * @param slot of a body whose start was moved
+     * @param keepsMomentum whether its angular momentum is to fit as well as its energy: that of an
+     *     impact of two bodies that move
      */
-    public void fit(BodyStore store, SolverBodies bodies, int slot) {
+    public void fit(BodyStore store, SolverBodies bodies, int slot, boolean keepsMomentum) {
         if (bodies.axes.isIsotropic(slot)) {
             return;
         }
@@ -114,13 +117,16 @@ public final class ImpactStart {
             spin[c] = bodies.world(slot, w, c);
         }
         keepMomentum(store, bodies, slot);
-        for (int step = 0; step < STEPS && bodies.collided[slot]; step++) {
+        for (int step = 0; step < STEPS && keepsMomentum; step++) {
             if (!turnTowards(store, bodies, slot, twice)) {
                 break;
             }
             keepMomentum(store, bodies, slot);
         }
         double scale = Math.sqrt(twice / square(v, w));
+        if (keepsMomentum && scale > 1) {
+            return; // what is lost of the energy is lost, but nothing is made
+        }
         if (!(Math.abs(scale - 1) <= MISS)) {
             bodies.weigh(slot, spin[0], spin[1], spin[2]);
             scale = Math.sqrt(twice / square(v, w));

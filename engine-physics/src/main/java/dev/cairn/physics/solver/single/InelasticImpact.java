@@ -207,7 +207,7 @@ final class InelasticImpact {
         }
         AxisLocks.lock(store, body, at);
         ImpactStart.shift(store, bodies, at, before, 0, time);
-        start.fit(store, bodies, SolverBodies.slot(at));
+        start.fit(store, bodies, SolverBodies.slot(at), false);
         turnBack();
         lift();
         rows.forget(place);
