@@ -59,7 +59,7 @@ public final class LoadSweep implements Stateful {
     private static final double SLIP = 0.045;
 
     /** A body that is disturbed keeps no more than so many times its own inertia. */
-    private static final double LARGEST_FLOOR = 50;
+    private static final double LARGEST_FLOOR = 1000;
 
     private static final double DECAY = 0.7;
 
