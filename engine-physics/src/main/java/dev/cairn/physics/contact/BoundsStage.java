@@ -260,14 +260,7 @@ public final class BoundsStage {
                                 + b.angularVelocityY[slot] * b.angularVelocityY[slot]
                                 + b.angularVelocityZ[slot] * b.angularVelocityZ[slot]);
         for (int c = b.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
-            double vx = b.velocityX[slot];
-            double vy = b.velocityY[slot];
-            double vz = b.velocityZ[slot];
-            if (c == slot) {
-                look(c, vx, vy, vz, spin, 0);
-            } else {
-                lookAtChild(slot, c, vx, vy, vz, spin);
-            }
+            look(slot, c, b.velocityX[slot], b.velocityY[slot], b.velocityZ[slot], spin);
             target.place(c, !colliders.sensor[c], box, 6 * c);
         }
         target.settle(slot);
@@ -357,12 +350,7 @@ public final class BoundsStage {
         return invalidCount;
     }
 
-    /**
-     * One of them.
-     *
-     * @param index 0 to invalidCount - 1
-     * @return its slot; ascending
-     */
+    /** Slot of one of them, {@code index} 0 to invalidCount - 1; ascending. */
     public int invalidSlot(int index) {
         return invalid[index];
     }
@@ -420,15 +408,10 @@ public final class BoundsStage {
             return 0;
         }
         state[c] = valid ? look(s, c, vx, vy, vz, spin) : INVALID;
-        int next = colliders.next[c];
-        return next == ColliderStore.NONE
-                ? state[c]
-                : state[c] + lookAtOthers(s, next, vx, vy, vz, spin, valid);
+        return state[c] + lookAtOthers(s, colliders.next[c], vx, vy, vz, spin, valid);
     }
 
-    /**
-     * Apart, as nearly all bodies have one collider: a loop costs the compiler a quarter second.
-     */
+    /** Apart, as nearly all bodies have one collider: a loop costs the compiler 0.25 s. */
     private int lookAtOthers(
             int s, int first, double vx, double vy, double vz, double spin, boolean valid) {
         int changes = 0;

@@ -3,7 +3,6 @@ package dev.cairn.physics.rest;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.cairn.physics.Body;
-import dev.cairn.physics.Contacts;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
@@ -66,14 +65,7 @@ class PebbleTest {
             for (int t = 0; t < TICKS; t++) {
                 world.step(1.0 / 60);
             }
-            Contacts contacts = world.contacts();
-            double deep = 0;
-            for (int c = 0; c < contacts.count(); c++) {
-                for (int p = 0; p < contacts.pointCount(c); p++) {
-                    deep = Math.max(deep, -contacts.separation(c, p));
-                }
-            }
-            return deep;
+            return Overlap.deepest(world);
         }
     }
 

@@ -127,7 +127,9 @@ final class ImpactLevers {
             for (int k = 0; k < 6; k++) {
                 centre[k] /= touching;
             }
-            PrepareRow.centre(rows, bodies, place, centre, kept[TWIST_MASS] > 0);
+            double[] m = centre;
+            boolean wide = kept[TWIST_MASS] > 0;
+            PrepareRow.block(rows, bodies, place, o, m[0], m[1], m[2], m[3], m[4], m[5], wide);
         }
         return true;
     }
@@ -150,8 +152,7 @@ final class ImpactLevers {
         double z = time * bodies.world(slot, w, 2);
         byte surface = side == 0 ? contacts.surfaceA[source] : contacts.surfaceB[source];
         int collider = side == 0 ? contacts.colliderA[source] : contacts.colliderB[source];
-        double keeps = surface == Surface.CORNERED || store.isBall[slot] ? 0 : 1;
-        if (keeps > 0) {
+        if (surface != Surface.CORNERED) {
             int r = BodyStore.REVOLUTION * collider;
             Rotations.rotate(
                     store.orientationX[slot],

@@ -170,27 +170,6 @@ public final class PrepareRow implements RowFiller {
         d[q + MASS * lanes] = w > 0 ? 1 / w : 0;
     }
 
-    /**
-     * Gives the centre of a patch other levers.
-     *
-     * @param arms from the middle of A, then from that of B, world, m
-     */
-    public static void centre(
-            ConstraintRows rows, SolverBodies bodies, int j, double[] arms, boolean wide) {
-        block(
-                rows,
-                bodies,
-                j,
-                rows.base(j),
-                arms[0],
-                arms[1],
-                arms[2],
-                arms[3],
-                arms[4],
-                arms[5],
-                wide);
-    }
-
     /** {@code t1 = n x e / |n x e|}, e the axis along which n is shortest; {@code t2 = n x t1}. */
     public static void tangents(double[] d, int o, int lanes, double nx, double ny, double nz) {
         double ax = Math.abs(nx);
@@ -396,8 +375,8 @@ public final class PrepareRow implements RowFiller {
         return nx * (s[b] - s[a]) + ny * (s[b + 1] - s[a + 1]) + nz * (s[b + 2] - s[a + 2]);
     }
 
-    /** Levers, tangent block and twist at the patch's centre. */
-    private static void block(
+    /** Levers, tangent block and twist at the patch's centre, from the middles of A and B, m. */
+    public static void block(
             ConstraintRows rows,
             SolverBodies bodies,
             int j,
