@@ -4,13 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.cairn.physics.Body;
 import dev.cairn.physics.Material;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.support.Scenes;
 
 import org.joml.Quaterniond;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -32,40 +33,33 @@ class PebbleTest {
         SplittableRandom random = new SplittableRandom(20261201);
         for (int k = 0; k < 6; k++) {
             double radius = 0.005 + 0.01 * random.nextDouble();
-            assertEquals(0, deepest(random, Sphere.of(radius), radius, ratio, 0), 0.01 * radius);
-        }
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {1, 4, 8})
-    void allLanesGoOneWay(int lanes) {
-        double[] deep = new double[2];
-        for (int k = 0; k < 2; k++) {
-            SplittableRandom random = new SplittableRandom(3);
-            deep[k] = deepest(random, Box.ofHalfExtents(.02, .01, .02), .01, 1000, k * lanes);
-        }
-        assertEquals(deep[0], deep[1]);
-    }
-
-    /** Deepest overlap after five seconds, m; lanes as they are found for 0. */
-    private static double deepest(
-            SplittableRandom random, Shape shape, double half, double ratio, int lanes) {
-        Material material = new Material(0.5, 0, 1000);
-        PhysicsSettings settings = PhysicsSettings.DEFAULT.withSleeping(false);
-        settings = lanes == 0 ? settings : settings.withLanes(lanes);
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).settings(settings).build()) {
-            Shape floor = Box.ofHalfExtents(20, 1, 20);
-            world.add(Body.fixed().shape(floor).at(0, -1, 0).material(material));
-            double x = (random.nextDouble() - 0.5) * HALF;
-            double z = (random.nextDouble() - 0.5) * HALF;
-            world.add(turned(random, shape).mass(MASS / ratio).at(x, half, z).material(material));
-            Shape crate = Box.cubeOfHalfExtent(HALF);
-            double y = HALF + 2 * half + 0.05;
-            world.add(turned(random, crate).mass(MASS).at(0, y, 0).material(material));
-            for (int t = 0; t < TICKS; t++) {
-                world.step(1.0 / 60);
+            try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
+                drop(world, random, Sphere.of(radius), radius, ratio);
+                assertEquals(0, Overlap.deepest(world), 0.01 * radius, "seed 20261201, " + k);
             }
-            return Overlap.deepest(world);
+        }
+    }
+
+    @Test
+    void allWorkersAndLanesGoOneWay() {
+        Shape pebble = Box.ofHalfExtents(.02, .01, .02);
+        Scenes.assertSameBits(world -> drop(world, new SplittableRandom(3), pebble, .01, 1000));
+    }
+
+    /** Five seconds of a crate over a thing on the floor. */
+    private static void drop(
+            PhysicsWorld world, SplittableRandom random, Shape shape, double half, double ratio) {
+        Material material = new Material(0.5, 0, 1000);
+        Shape floor = Box.ofHalfExtents(20, 1, 20);
+        world.add(Body.fixed().shape(floor).at(0, -1, 0).material(material));
+        double x = (random.nextDouble() - 0.5) * HALF;
+        double z = (random.nextDouble() - 0.5) * HALF;
+        world.add(turned(random, shape).mass(MASS / ratio).at(x, half, z).material(material));
+        Shape crate = Box.cubeOfHalfExtent(HALF);
+        double y = HALF + 2 * half + 0.05;
+        world.add(turned(random, crate).mass(MASS).at(0, y, 0).material(material));
+        for (int t = 0; t < TICKS; t++) {
+            world.step(Scenes.STEP);
         }
     }
 

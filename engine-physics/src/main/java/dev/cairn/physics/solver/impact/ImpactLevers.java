@@ -123,7 +123,7 @@ final class ImpactLevers {
                 }
             }
         }
-        if (d[o + FRICTION * lanes] > 0) {
+        if (touching > 0 && d[o + FRICTION * lanes] > 0) {
             for (int k = 0; k < 6; k++) {
                 centre[k] /= touching;
             }
